@@ -92,7 +92,9 @@ BoxDecision decide_large(const GraspBox& grasp, NormalLaw law) {
   }
   auto found = equilibrium_near(large, *proposal);
   if (const auto* none = std::get_if<NoEquilibrium>(&found)) {
-    decision.verdict = undecided(in_words(*none));
+    decision.verdict =
+        undecided(proposal->drifts ? "in doubles bodies drift away as if nothing held them"
+                                   : in_words(*none));
     return decision;
   }
   auto& witness = std::get<ShareWitness>(found);

@@ -67,9 +67,10 @@ class ModeEquations {
   /// those are to stick that may have most friction.
   void find_followers() {
     leaders_.assign(cones_.size(), std::nullopt);
+    faces_.resize(cones_.size());
     std::map<std::vector<std::size_t>, std::vector<std::size_t>> faces;
     for (std::size_t i = 0; i < cones_.size(); ++i) {
-      if (modes_[i] != LargeMode::kSticks || cones_[i].slips.size() != 1) continue;
+      if (cones_[i].slips.size() != 1) continue;
       std::vector<std::size_t> bodies;
       for (const auto& [j, entry] : cones_[i].slips.front()) {
         const std::size_t body = grasp_.model.bodies()[j];
@@ -81,13 +82,27 @@ class ModeEquations {
       std::stable_sort(face.begin(), face.end(), [&](std::size_t a, std::size_t b) {
         return near_.most[a] > near_.most[b];
       });
-      for (std::size_t k = 1; k < face.size(); ++k) {
-        for (std::size_t l = 0; l < k && !leaders_[face[k]]; ++l) {
-          if (leaders_[face[l]] || !nearly_slips_as(face[k], face[l])) continue;
-          leaders_[face[k]] = face[l];
-          modes_[face[k]] = LargeMode::kFollows;
-        }
+      std::vector<std::size_t> before;
+      for (const std::size_t i : face) {
+        faces_[i] = face;
+        if (modes_[i] != LargeMode::kSticks) continue;
+        stick_or_follow(i, before);
+        before.push_back(i);
       }
+    }
+  }
+
+  /// Lets a contact that is closed follow one of these that sticks, if it slips nearly as that
+  /// does. Lets it stick if there is none.
+  void stick_or_follow(std::size_t i, const std::vector<std::size_t>& others) {
+    modes_[i] = LargeMode::kSticks;
+    leaders_[i].reset();
+    for (const std::size_t other : others) {
+      if (other == i || modes_[other] != LargeMode::kSticks || !nearly_slips_as(i, other))
+        continue;
+      modes_[i] = LargeMode::kFollows;
+      leaders_[i] = other;
+      return;
     }
   }
 
@@ -219,16 +234,18 @@ class ModeEquations {
       LargeMode& mode = modes_[i];
       const LargeMode before = mode;
       if (mode == LargeMode::kOpen) {
-        if (v.sign() > 0) mode = LargeMode::kSticks;
+        if (v.sign() > 0) stick_or_follow(i, faces_[i]);
       } else if (v.sign() < 0) {
         mode = LargeMode::kOpen;
+        if (before == LargeMode::kSticks) lead_instead(i);
+        leaders_[i].reset();
       } else if (mode == LargeMode::kSlips) {
         if (slip_sign(i) * ways_[i] <= 0) continue;
         any = true;
         if (leaders_[i]) {
           ways_[i] = -ways_[i];
         } else {
-          mode = LargeMode::kSticks;
+          stick_or_follow(i, faces_[i]);
         }
       } else if (mode == LargeMode::kFollows && slip_sign(i) != 0) {
         mode = LargeMode::kSlips;
@@ -302,6 +319,7 @@ class ModeEquations {
   const std::vector<ForceCone>& cones_;
   const LargeProposal& near_;
   std::vector<LargeMode> modes_;
+  std::vector<std::vector<std::size_t>> faces_;      ///< the contacts of the same two bodies
   std::vector<std::optional<std::size_t>> leaders_;  ///< what a contact that follows follows
   std::vector<int> ways_;  ///< the sign of friction where a contact slips in the plane
   // Long numbers have one denominator: all is multiplied by it.

@@ -38,11 +38,17 @@ double size_of(const DoubleColumn& column) {
   return std::sqrt(square);
 }
 
-/// The normal force a of one element, and how it changes with v and with `smooth`.
-struct SmoothNormal {
-  double a = 0;
+/// A number, and how it changes with v and with `smooth`.
+struct SmoothForce {
+  double value = 0;
   double by_separation = 0;
   double by_smooth = 0;
+};
+
+/// The normal force of one element, and that by which its friction is bounded.
+struct SmoothNormal {
+  SmoothForce force;
+  SmoothForce pressing;
 };
 
 /// SmoothFriction over a, and the slip, of one contact.
@@ -54,8 +60,7 @@ struct SmoothFriction {
 
 class SmoothGrasp {
  public:
-  /// Contacts open where v is within `opening` times what `smooth` presses them by.
-  SmoothGrasp(const LargeGrasp& grasp, double opening) : opening_(opening) {
+  explicit SmoothGrasp(const LargeGrasp& grasp) {
     const statics_detail::StaticsModel& model = grasp.model;
     ConePair pair = model.rounded(model.load());
     load_ =
@@ -97,24 +102,30 @@ class SmoothGrasp {
   double reach() const { return reach_; }
   Vector rest() const { return Vector::Zero(load_.size()); }
 
-  /// Returns max(0, v) with its edge rounded, and v of a spring.
+  /// Returns v of a spring. Of a contact it returns max(0, v) with its edge rounded. If it is
+  /// open, it pulls by a part of v that vanishes with `smooth`, so that no body drifts away;
+  /// and friction is as if it were pressed more, as a pile has no forces at rest.
   SmoothNormal normal(const SmoothElement& e, const Vector& d, double smooth) const {
-    const double v = separation(e, d, smooth);
-    if (e.is_spring) return {v, 1, 0};
-    const double width = opening_ * e.stiffness * smooth;
-    if (!(width > 0)) return v > 0 ? SmoothNormal{v, 1, e.stiffness} : SmoothNormal{};
+    const double v = separation(e, d);
+    if (e.is_spring) return {{v, 1, 0}, {}};
+    constexpr double kOpening = 0.5;
+    const double width = kOpening * e.stiffness * smooth;
     const double root = std::hypot(v, 2 * width);
+    const double side = root > 0 ? v / root : 0;
+    // One of these sums would cancel.
+    const double push = v > 0 ? (v + root) / 2 : root > 0 ? 2 * width * width / (root - v) : 0;
+    const double pull = v < 0 ? (root - v) / 2 : root > 0 ? 2 * width * width / (root + v) : 0;
+    const double by_smooth = root > 0 ? 2 * width * kOpening * e.stiffness / root : 0;
+    const double part = smooth / (smooth + reach_);
+    const double part_by_smooth = (1 - part) / (smooth + reach_);
     SmoothNormal result;
-    // The sum of v < 0 and the root would cancel.
-    result.a = v > 0 ? (v + root) / 2 : 2 * width * width / (root - v);
-    result.by_separation = (1 + v / root) / 2;
-    result.by_smooth = e.stiffness * (result.by_separation + 2 * width * opening_ / root);
+    result.force = {push - part * pull, (1 + side + part * (1 - side)) / 2,
+                    (1 - part) * by_smooth - part_by_smooth * pull};
+    result.pressing = {push + e.stiffness * smooth, (1 + side) / 2, by_smooth + e.stiffness};
     return result;
   }
-  /// Returns v, with all contacts pressed together by `smooth`.
-  double separation(const SmoothElement& e, const Vector& d, double smooth) const {
-    return e.preload + (e.is_spring ? 0 : e.stiffness * smooth) -
-           e.stiffness * product(e.normal, d);
+  static double separation(const SmoothElement& e, const Vector& d) {
+    return e.preload - e.stiffness * product(e.normal, d);
   }
   static SmoothFriction friction(const SmoothElement& e, const Vector& d, double smooth) {
     SmoothFriction result;
@@ -141,22 +152,24 @@ class SmoothGrasp {
       }
     };
     for (const SmoothElement& e : elements_) {
-      const SmoothNormal force = normal(e, d, smooth);
-      const double a = force.a;
-      if (!e.is_spring && !(a > 0)) continue;
+      const SmoothNormal normal = this->normal(e, d, smooth);
+      add(result, normal.force.value, e.normal);
+      if (change != nullptr) add(*change, normal.force.by_smooth, e.normal);
+      if (derivative != nullptr) {
+        put(-e.stiffness * normal.force.by_separation, e.normal, e.normal);
+      }
+      if (e.slips.empty()) continue;
+      const double a = normal.pressing.value;
       const SmoothFriction f = friction(e, d, smooth);
-      const double stiffness = e.stiffness * force.by_separation;
       const double part = smooth * e.slip_unit / f.over;  // of `over`, by `smooth`
-      add(result, a, e.normal);
-      if (derivative != nullptr) put(-stiffness, e.normal, e.normal);
-      if (change != nullptr) add(*change, force.by_smooth, e.normal);
       for (std::size_t k = 0; k < e.slips.size(); ++k) {
         add(result, -a * f.ratio[k], e.slips[k]);
         if (change != nullptr) {
-          add(*change, (a / smooth * part * part - force.by_smooth) * f.ratio[k], e.slips[k]);
+          add(*change, (a / smooth * part * part - normal.pressing.by_smooth) * f.ratio[k],
+              e.slips[k]);
         }
         if (derivative == nullptr) continue;
-        put(stiffness * f.ratio[k], e.slips[k], e.normal);
+        put(e.stiffness * normal.pressing.by_separation * f.ratio[k], e.slips[k], e.normal);
         put(-a / f.over, e.slips[k], e.slips[k]);
         for (std::size_t l = 0; l < e.slips.size(); ++l) {
           put(a / f.over * f.ratio[k] * f.ratio[l], e.slips[k], e.slips[l]);
@@ -178,7 +191,6 @@ class SmoothGrasp {
  private:
   Vector load_;
   std::vector<SmoothElement> elements_;
-  double opening_ = 0;
   double force_ = 0;  ///< a typical force
   double reach_ = 1;  ///< how far it moves a body
 };
@@ -190,9 +202,9 @@ struct CurvePoint {
   double level = 0;
 };
 
-/// The equilibria as friction becomes less and less smooth. They are one curve that begins where
-/// friction is nearly viscous, and has no end before sizes of 0. It may turn back to larger
-/// sizes for a while, so it is followed by its length (Keller, "Numerical solution of
+/// The equilibria as friction becomes less and less smooth. They are one curve that begins
+/// where friction is nearly viscous, and has no end before sizes of 0. It may turn back to
+/// larger sizes for a while, so it is followed by its length (Keller, "Numerical solution of
 /// bifurcation and nonlinear eigenvalue problems", 1977).
 class EquilibriumCurve {
  public:
@@ -222,26 +234,34 @@ class EquilibriumCurve {
     return false;
   }
 
-  /// Follows the curve from a point of it down to a size of slips relative to the motion;
-  /// returns whether that was reached.
-  bool follow(CurvePoint& at, double least) {
-    constexpr int kMostSteps = 3000;
+  /// Follows the curve from a point of it down to sizes of slips that are as good as 0. Returns
+  /// whether it got there.
+  bool follow(CurvePoint& at) {
+    constexpr int kMostSteps = 1000;
     constexpr double kLongest = 2;
     constexpr double kShortest = 1e-5;
+    constexpr double kDrifts = 0.5;  // a body that nothing holds moves as 1 over the size
+    constexpr double kLeastOfReach = 1e-7;
+    constexpr double kLeastOfMotion = 1e-10;  // what is rounded is small beside such slips
     CurvePoint way = direction(at);
-    if (!way.d.allFinite()) return false;
+    if (way.level == 0) return false;
     if (way.level > 0) way = {-way.d, -way.level};
     double length = 1;
     for (int step = 0; step < kMostSteps; ++step) {
-      if (std::exp(at.level) <= least * at.d.norm()) return true;
+      const double least =
+          std::max(kLeastOfReach * grasp_.reach(), kLeastOfMotion * at.d.norm());
+      if (std::exp(at.level) <= least) {
+        drifts_ = way.d.norm() > kDrifts * -way.level * at.d.norm();
+        return true;
+      }
       CurvePoint next{at.d + length * way.d, at.level + length * way.level};
-      if (!correct(next, way)) {
+      CurvePoint ahead;
+      if (correct(next, way, length)) ahead = direction(next);
+      if (ahead.level == 0) {
         length /= 2;
         if (length < kShortest) return false;
         continue;
       }
-      CurvePoint ahead = direction(next);
-      if (!ahead.d.allFinite()) return false;
       if (product(ahead, way) < 0) ahead = {-ahead.d, -ahead.level};
       at = std::move(next);
       way = std::move(ahead);
@@ -249,6 +269,9 @@ class EquilibriumCurve {
     }
     return false;
   }
+
+  /// Returns whether bodies drifted away to the last.
+  bool drifts() const { return drifts_; }
 
  private:
   bool is_balanced(const Vector& f, const CurvePoint& at) const {
@@ -265,20 +288,24 @@ class EquilibriumCurve {
     return a.d.dot(b.d) / (unit * unit) + a.level * b.level;
   }
 
-  /// Returns the direction of the curve, of length 1, one way or the other.
+  /// Returns the direction of the curve, of length 1, one way or the other; 0 if rounding hides
+  /// it.
   CurvePoint direction(const CurvePoint& at) {
     Vector change;
     const double smooth = std::exp(at.level);
     grasp_.sum(at.d, smooth, &derivative_, &change);
     unit_ = std::max(at.d.norm(), 1e-3 * grasp_.reach());
-    if (!factor()) return {Vector::Constant(at.d.size(), NAN), 0};
+    if (!factor()) return {};
     CurvePoint way{-solver_.solve(smooth * change), 1};
+    if (!way.d.allFinite()) return {};
     const double norm = std::sqrt(product(way, way));
     return {way.d / norm, 1 / norm};
   }
 
-  /// Moves a point to the curve, across this direction; returns whether it could.
-  bool correct(CurvePoint& at, const CurvePoint& way) {
+  /// Moves a point to the curve, across this direction and by less than this length; returns
+  /// whether it could.
+  bool correct(CurvePoint& at, const CurvePoint& way, double length) {
+    const CurvePoint start = at;
     constexpr int kMostSteps = 8;
     double before = HUGE_VAL;
     for (int step = 0; step <= kMostSteps; ++step) {
@@ -290,11 +317,11 @@ class EquilibriumCurve {
       before = step == 0 ? HUGE_VAL : f.norm();
       const Vector straight = -solver_.solve(f);
       const Vector along = -solver_.solve(smooth * change);
-      const double level =
-          -product({straight, 0}, way) / product({along, 1}, way);
+      const double level = -product({straight, 0}, way) / product({along, 1}, way);
       at.d += straight + level * along;
       at.level += level;
-      if (!at.d.allFinite() || !std::isfinite(at.level)) return false;
+      const CurvePoint moved{at.d - start.d, at.level - start.level};
+      if (!(product(moved, moved) < length * length)) return false;
     }
     return false;
   }
@@ -306,26 +333,32 @@ class EquilibriumCurve {
 
   const SmoothGrasp& grasp_;
   double unit_ = 1;
+  bool drifts_ = false;
   Sparse derivative_;
   Eigen::SparseLU<Sparse> solver_;
 };
 
-/// Returns what is found with contacts that open within `opening`.
-std::optional<LargeProposal> propose(const LargeGrasp& large, double opening) {
-  const SmoothGrasp grasp(large, opening);
+}  // namespace
+
+std::optional<LargeProposal> propose(const LargeGrasp& large) {
+  const SmoothGrasp grasp(large);
   EquilibriumCurve curve(grasp);
-  constexpr double kLargest = 8;
-  constexpr double kLeastSmooth = 1e-7;  // relative to motions
-  CurvePoint at{grasp.rest(), std::log(kLargest * grasp.reach())};
-  if (!curve.balance(at.d, at.level)) return std::nullopt;
-  if (!curve.follow(at, kLeastSmooth)) return std::nullopt;
+  CurvePoint at;
+  bool has_begun = false;
+  for (const double size : {1e2, 1e4, 1e6, 1e8}) {  // the larger, the nearer to linear
+    at = {grasp.rest(), std::log(size * grasp.reach())};
+    has_begun = curve.balance(at.d, at.level);
+    if (has_begun) break;
+  }
+  if (!has_begun || !curve.follow(at)) return std::nullopt;
   const Vector& d = at.d;
   const double smooth = std::exp(at.level);
   LargeProposal result;
+  result.drifts = curve.drifts();
   const auto& cones = large.model.cones();
   for (std::size_t i = 0; i < cones.size(); ++i) {
     const SmoothElement& e = grasp.elements()[i];
-    const double a = std::max(0.0, grasp.separation(e, d, opening > 0 ? 0 : smooth));
+    const double a = std::max(0.0, SmoothGrasp::separation(e, d));
     const SmoothFriction f = SmoothGrasp::friction(e, d, smooth);
     constexpr double kSticks = 30;  // sizes of slips: friction is then short of all by 1/1800
     const bool sticks = f.norm <= kSticks * smooth * e.slip_unit;
@@ -340,16 +373,6 @@ std::optional<LargeProposal> propose(const LargeGrasp& large, double opening) {
     }
   }
   return result;
-}
-
-}  // namespace
-
-std::optional<LargeProposal> propose(const LargeGrasp& grasp) {
-  // Rounded edges are followed faster and nearer to a border. A pile in space may drift apart
-  // along them, as contacts then push from afar.
-  constexpr double kRounded = 0.5;
-  if (auto proposal = propose(grasp, kRounded)) return proposal;
-  return propose(grasp, 0);
 }
 
 }  // namespace stickslip::large_detail

@@ -44,12 +44,13 @@ struct LargeProposal {
   std::vector<std::vector<double>> friction{};
   std::vector<double> most{};   ///< how much there may be, as a force
   std::vector<double> spare{};  ///< how much more
+  bool drifts = false;          ///< whether bodies drift away, as if nothing held them
 };
 
-/// Returns what Newton's method finds from rest. Friction is smoothed over slips of a size that
-/// becomes smaller and smaller, and so is how contacts open; they are pressed together by as
-/// much at first, as a pile that nothing presses has no forces at rest. A step factors a sparse
-/// matrix of D rows. Returns nothing if it does not converge.
+/// Returns an equilibrium found by following a curve. On it friction is smooth over slips of a
+/// size that becomes smaller and smaller, contacts open within about as much, and those that
+/// are open pull a little. It begins where all that is nearly linear, so that the motion is
+/// known. A step factors a few sparse matrices of D rows. Returns nothing if the curve is lost.
 std::optional<LargeProposal> propose(const LargeGrasp& grasp);
 
 }  // namespace stickslip::large_detail

@@ -85,25 +85,31 @@ BoxDecision decide_large(const GraspBox& grasp, NormalLaw law) {
   }
   LargeGrasp large = large_grasp(grasp);
   large.may_open = law == NormalLaw::kUnilateral;
-  const auto proposal = propose(large);
-  if (!proposal) {
-    decision.verdict = undecided("Newton's method found no equilibrium");
-    return decision;
+  std::optional<ShareWitness> witness;
+  bool drifts = false;
+  const char* why = "Newton's method found no equilibrium";
+  for (const Smoothing smoothing : {Smoothing::kPulling, Smoothing::kPressed}) {
+    const auto proposal = propose(large, smoothing);
+    if (!proposal) continue;
+    drifts = drifts || proposal->drifts;
+    auto found = equilibrium_near(large, *proposal);
+    if (auto* exact = std::get_if<ShareWitness>(&found)) {
+      witness = std::move(*exact);
+      break;
+    }
+    why = in_words(std::get<NoEquilibrium>(found));
   }
-  auto found = equilibrium_near(large, *proposal);
-  if (const auto* none = std::get_if<NoEquilibrium>(&found)) {
+  if (!witness) {
     decision.verdict =
-        undecided(proposal->drifts ? "in doubles bodies drift away as if nothing held them"
-                                   : in_words(*none));
+        undecided(drifts ? "in doubles bodies drift away as if nothing held them" : why);
     return decision;
   }
-  auto& witness = std::get<ShareWitness>(found);
-  if (!grasp.allows(witness.twist)) {
+  if (!grasp.allows(witness->twist)) {
     decision.verdict = undecided("the motion of the equilibrium that was found is too large");
     return decision;
   }
-  RationalRow motion = witness.twist;
-  decision.verdict = Stable{std::move(witness), std::move(motion)};
+  RationalRow motion = witness->twist;
+  decision.verdict = Stable{std::move(*witness), std::move(motion)};
   return decision;
 }
 

@@ -60,7 +60,7 @@ struct SmoothFriction {
 
 class SmoothGrasp {
  public:
-  explicit SmoothGrasp(const LargeGrasp& grasp) {
+  SmoothGrasp(const LargeGrasp& grasp, Smoothing smoothing) : smoothing_(smoothing) {
     const statics_detail::StaticsModel& model = grasp.model;
     ConePair pair = model.rounded(model.load());
     load_ =
@@ -102,26 +102,33 @@ class SmoothGrasp {
   double reach() const { return reach_; }
   Vector rest() const { return Vector::Zero(load_.size()); }
 
-  /// Returns v of a spring. Of a contact it returns max(0, v) with its edge rounded. If it is
-  /// open, it pulls by a part of v that vanishes with `smooth`, so that no body drifts away;
-  /// and friction is as if it were pressed more, as a pile has no forces at rest.
+  /// Returns v of a spring, and of a contact max(0, v) with its edge rounded, as `smoothing_`
+  /// says.
   SmoothNormal normal(const SmoothElement& e, const Vector& d, double smooth) const {
-    const double v = separation(e, d);
-    if (e.is_spring) return {{v, 1, 0}, {}};
+    if (e.is_spring) return {{separation(e, d), 1, 0}, {}};
+    const bool is_pressed = smoothing_ == Smoothing::kPressed;
+    const double more = e.stiffness * smooth;
+    const double v = separation(e, d) + (is_pressed ? more : 0);
     constexpr double kOpening = 0.5;
-    const double width = kOpening * e.stiffness * smooth;
+    const double width = kOpening * more;
     const double root = std::hypot(v, 2 * width);
-    const double side = root > 0 ? v / root : 0;
     // One of these sums would cancel.
-    const double push = v > 0 ? (v + root) / 2 : root > 0 ? 2 * width * width / (root - v) : 0;
-    const double pull = v < 0 ? (root - v) / 2 : root > 0 ? 2 * width * width / (root + v) : 0;
-    const double by_smooth = root > 0 ? 2 * width * kOpening * e.stiffness / root : 0;
-    const double part = smooth / (smooth + reach_);
-    const double part_by_smooth = (1 - part) / (smooth + reach_);
+    const double push = v > 0 ? (v + root) / 2 : 2 * width * width / (root - v);
+    const double pull = v < 0 ? (root - v) / 2 : 2 * width * width / (root + v);
+    const double side = v / root;
+    const double edge_by_smooth = 2 * width * kOpening * e.stiffness / root;
     SmoothNormal result;
+    result.pressing = {push, (1 + side) / 2, edge_by_smooth};
+    if (is_pressed) {
+      result.pressing.by_smooth += e.stiffness * (1 + side) / 2;
+      result.force = result.pressing;
+      return result;
+    }
+    result.pressing.value += more;
+    result.pressing.by_smooth += e.stiffness;
+    const double part = smooth / (smooth + reach_);
     result.force = {push - part * pull, (1 + side + part * (1 - side)) / 2,
-                    (1 - part) * by_smooth - part_by_smooth * pull};
-    result.pressing = {push + e.stiffness * smooth, (1 + side) / 2, by_smooth + e.stiffness};
+                    (1 - part) * edge_by_smooth - (1 - part) / (smooth + reach_) * pull};
     return result;
   }
   static double separation(const SmoothElement& e, const Vector& d) {
@@ -189,6 +196,7 @@ class SmoothGrasp {
   }
 
  private:
+  Smoothing smoothing_;
   Vector load_;
   std::vector<SmoothElement> elements_;
   double force_ = 0;  ///< a typical force
@@ -340,8 +348,8 @@ class EquilibriumCurve {
 
 }  // namespace
 
-std::optional<LargeProposal> propose(const LargeGrasp& large) {
-  const SmoothGrasp grasp(large);
+std::optional<LargeProposal> propose(const LargeGrasp& large, Smoothing smoothing) {
+  const SmoothGrasp grasp(large, smoothing);
   EquilibriumCurve curve(grasp);
   CurvePoint at;
   bool has_begun = false;

@@ -47,10 +47,20 @@ struct LargeProposal {
   bool drifts = false;          ///< whether bodies drift away, as if nothing held them
 };
 
-/// Returns an equilibrium found by following a curve. On it friction is smooth over slips of a
-/// size that becomes smaller and smaller, contacts open within about as much, and those that
-/// are open pull a little. It begins where all that is nearly linear, so that the motion is
-/// known. A step factors a few sparse matrices of D rows. Returns nothing if the curve is lost.
-std::optional<LargeProposal> propose(const LargeGrasp& grasp);
+/// How contacts are made smooth; all of it vanishes with the size of slips over which friction
+/// is. A pile has no forces at rest, so that friction needs some from elsewhere.
+enum class Smoothing : std::int8_t {
+  /// Open contacts pull a little, so that no body drifts away, and friction is as if contacts
+  /// were pressed together.
+  kPulling,
+  /// Contacts are pressed together.
+  kPressed
+};
+
+/// Returns an equilibrium found by following a curve, on which friction is smooth over slips of
+/// a size that becomes smaller and smaller, and contacts open within about as much. It begins
+/// where all that is nearly linear. A step factors a few sparse matrices of D rows. Either way
+/// of smoothing finds some that the other does not. Returns nothing if the curve is lost.
+std::optional<LargeProposal> propose(const LargeGrasp& grasp, Smoothing smoothing);
 
 }  // namespace stickslip::large_detail

@@ -323,6 +323,28 @@ def wall(courses, columns, mu, lean):
     return grasp([f"b{c}.{k}" for c in range(courses) for k in range(columns)], contacts, loads)
 
 
+def running_bond(courses, columns, push, seed):
+    """Bricks of 2 by 1 with joints above middles, all pushed to the right. Of every other course the last brick stands on its half."""
+    rng, contacts, loads = random.Random(seed), [], []
+
+    def touch(name, position, normal, by):
+        contacts.append(contact(name, position, normal, by=by, friction=F(7, 10), stiffness=F(rng.randint(50, 200), 100)))
+
+    for c in range(courses):
+        for k in range(columns):
+            name, x = f"b{c}.{k}", 2 * k + c % 2
+            if k:
+                for y in (c, c + 1):
+                    touch(name, (x, y), (1, 0), f"b{c}.{k - 1}")
+            below = [(f"b{c - 1}.{l}", 2 * l + (c - 1) % 2) for l in range(columns)] if c else [(None, x)]
+            for by, left in below:
+                for at in sorted({max(x, left), min(x, left) + 2}) if abs(x - left) < 2 else ():
+                    touch(name, (at, c), (0, 1), by)
+            heavy = F(rng.randint(90, 110), 100)
+            loads += [weight(name, heavy, (x + 1, c)), force(name, (push * heavy, 0), (x + 1, F(2 * c + 1, 2)))]
+    return grasp([f"b{c}.{k}" for c in range(courses) for k in range(columns)], contacts, loads)
+
+
 class Size(Statics):
     def test_a_wall_of_many_bricks(self):
         # All weights and pushes are alike, so that friction has to be the lean at every course.
@@ -362,6 +384,17 @@ class Size(Statics):
             content = arch(20, F(1, 5), 1)
             content["loads"] += [force(load["body"], (lean, 0), tuple(map(F, load["at"]))) for load in content["loads"]]
             self.decided(content, verdict)
+
+    def test_walls_in_running_bond(self):
+        # On the way from smooth friction to sharp one the equilibrium is on a curve that turns back.
+        for seed in range(4):
+            self.decided(running_bond(4, 4, 0, seed), "stable")
+        # Forces could balance this push. Whether such forces arise nobody proves; in doubles the last bricks turn over.
+        file = self.write("w.json", running_bond(4, 4, F(3, 10), 0))
+        self.assertEqual(self.kind(running_bond(4, 4, F(3, 10), 0)), "may stand")
+        answer = json.loads(stickslip("decide", file, "--json")[1])
+        self.assertEqual((answer["verdict"], answer["reason"]), ("undecided", "size"))
+        self.assertIn("drift away", answer["limit"])
 
     def test_margins_have_no_more_coordinates_than_are_searched(self):
         code, out, err = stickslip("margin", self.write("w.json", wall(4, 4, 1, 0)), "--direction", ",".join(["1"] * 48))

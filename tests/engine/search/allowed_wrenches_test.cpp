@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "law_cases.hpp"
+#include "rounds.hpp"
 #include "stickslip/engine/grasp_law.hpp"
 
 namespace stickslip {
@@ -115,7 +116,7 @@ TEST(Actions, BoundAsTheExactRuleDoes) {
   RandomSource random(252);
   int turned = 0;
   int bound = 0;
-  for (int round = 0; round < 600; ++round) {
+  for (int round = 0; round < test::rounds(600); ++round) {
     const bool in_space = round % 2 == 1;
     GraspBox box = test::random_law_box(random, in_space);
     if (random.one_in(4)) box = box.middle();
@@ -151,8 +152,8 @@ TEST(Actions, BoundAsTheExactRuleDoes) {
       bound += cone.moves && !cone.whole && !cone.sides.empty() ? 1 : 0;
     }
   }
-  EXPECT_GE(turned, 60);
-  EXPECT_GE(bound, 30);
+  EXPECT_GE(turned, test::rounds(60));
+  EXPECT_GE(bound, test::rounds(30));
 }
 
 // The force that is added is one that does the work that was said, within springs and friction.

@@ -23,6 +23,7 @@ STICKSLIP = os.environ.get("STICKSLIP", "stickslip")
 CHECK = os.environ.get("STICKSLIP_CHECK", "stickslip-check")
 CHECK_PY = os.path.join(HERE, "..", "..", "..", "certificate", "python", "check.py")
 PROVED = os.environ.get("STICKSLIP_PROVED")
+SANITIZED = os.environ.get("STICKSLIP_SANITIZED") == "yes"  # then programs take twenty times as long, and some tests ask less
 UP = ("--wrench", "0,11/10,0")  # unstable
 
 sys.path.append(os.path.join(HERE, "..", "..", "support"))

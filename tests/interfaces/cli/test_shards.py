@@ -9,7 +9,7 @@ import subprocess
 import unittest
 
 from test_batch import grasp
-from test_cli import BAD_INPUT, DONE, STICKSLIP, UNDECIDED, Case, read, run, stickslip
+from test_cli import BAD_INPUT, DONE, SANITIZED, STICKSLIP, UNDECIDED, Case, read, run, stickslip
 
 
 def text_of(seeds):
@@ -48,7 +48,7 @@ class Shards(Case):
         for text in texts:
             path = self.write("grasps.jsonl", text)
             code, whole, complaint = stickslip("batch", path)
-            for count in (1, 2, 3, 7, 50):
+            for count in (1, 3) if SANITIZED else (1, 2, 3, 7, 50):
                 names = self.shards(path, count)
                 found, out, err = stickslip("batch", "--merge", *reversed(names))
                 self.assertEqual((found, out), (code, whole), (text, count))

@@ -121,7 +121,8 @@ class MotionRegion : public StrictCone {
   MotionRegion(const Law& law, StrictCone cone, bool is_of_wall = false);
   /// Makes a part of a region, without what update() finds.
   MotionRegion(const MotionRegion& parent, StrictCone cone);
-  std::vector<MotionRegion> children(const Row& plane, const std::vector<StrictSide>& sides) const;
+  std::vector<MotionRegion> children(const Row& plane,
+                                     const std::vector<StrictSide>& sides) const;
   static StrictCone whole_family(const Law& law);
   void update();
   bool is_beyond() const;

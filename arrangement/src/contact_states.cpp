@@ -198,9 +198,10 @@ std::vector<ContactRows> contact_rows_for_states(const GraspBox& grasp,
 std::vector<std::string> slips_at(const GraspBox& grasp, const RationalRow& motion,
                                   const SlipLines& lines) {
   std::vector<std::string> slips;
+  const Row multiple = primitive_multiple(motion);
   for (const ContactRows& rows : contact_rows_for_states(grasp, lines)) {
     std::string& slip = slips.emplace_back();
-    for (const Row& line : rows.lines) slip += to_char(sign_of(dot(line, motion)));
+    for (const Row& line : rows.lines) slip += to_char(sign_of(dot(line, multiple)));
   }
   return slips;
 }

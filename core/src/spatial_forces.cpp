@@ -41,6 +41,14 @@ std::vector<SpatialForce> forces_of(
     const GraspBox& grasp, const RationalRow& d,
     const std::vector<std::pair<ContactId, RationalRow>>& shares) {
   std::vector<SpatialForce> forces(grasp.contacts.size());
+  // Sums of long numbers are made of integers: d is `unit` times those.
+  const Row x = primitive_multiple(d);
+  const auto some =
+      std::find_if(x.begin(), x.end(), [](const Integer& entry) { return !entry.is_zero(); });
+  const Rational unit = some == x.end()
+                            ? Rational(1)
+                            : d[static_cast<std::size_t>(some - x.begin())] / Rational(*some);
+  const RationalRow whole(x.begin(), x.end());
   const auto root = [](const Rational& square) {
     const std::optional<Rational> length = exact_sqrt(square);
     require(length.has_value(), "forces_of: a length is irrational");
@@ -53,21 +61,25 @@ std::vector<SpatialForce> forces_of(
     const Rational weight = c.torsion * c.torsion / square;  // the weight of a spin in |s|^2
     RationalRow position;
     for (const Interval& coordinate : c.position) position.push_back(coordinate.low);
-    const RationalRow twist = relative_twist(grasp, c, d);
+    const RationalRow twist = relative_twist(grasp, c, whole);
     const Vector3 moved = displacement(in_three(position), twist);
     const Rational rise = dot(n, moved) / square;
     SpatialForce& force = forces[i];
-    force.normal = -c.stiffness.low * rise;
+    force.normal = -c.stiffness.low * rise * unit;
     if (!c.preload.low.is_zero()) force.normal += c.preload.low / root(square);
     if (force.normal.sign() < 0) force.normal = 0;
-    for (std::size_t j = 0; j < 3; ++j) force.slip[j] = moved[j] - rise * n[j];
-    if (!weight.is_zero()) force.spin = n[0] * twist[3] + n[1] * twist[4] + n[2] * twist[5];
-    const Rational slip_square = dot(force.slip, force.slip) + weight * force.spin * force.spin;
+    Vector3 slip;
+    Rational spin = 0;
+    for (std::size_t j = 0; j < 3; ++j) slip[j] = moved[j] - rise * n[j];
+    if (!weight.is_zero()) spin = n[0] * twist[3] + n[1] * twist[4] + n[2] * twist[5];
+    for (std::size_t j = 0; j < 3; ++j) force.slip[j] = slip[j] * unit;
+    force.spin = spin * unit;
+    const Rational slip_square = dot(slip, slip) + weight * spin * spin;
     const Rational most = c.friction.low * force.normal;
     if (slip_square.is_zero() || most.is_zero()) continue;
     const Rational ratio = root(square / slip_square);
-    for (std::size_t j = 0; j < 3; ++j) force.friction[j] = -most * ratio * force.slip[j];
-    force.moment = -most * ratio * weight * force.spin;
+    for (std::size_t j = 0; j < 3; ++j) force.friction[j] = -most * ratio * slip[j];
+    force.moment = -most * ratio * weight * spin;
   }
   for (const auto& [contact, share] : shares) {
     const std::size_t i = contact.index();

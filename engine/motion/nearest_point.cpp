@@ -7,10 +7,10 @@
 
 namespace stickslip {
 
-// With G the matrix of the products of the points, weights that are a multiple of u with
-// G u = (1, ..., 1) are those of the point of least norm. G is singular where the affine hull
-// contains the origin. G plus a number at all entries is not, and has the same solution but for
-// a factor (Wolfe, section 6). A point that is added costs one row of its factor.
+// G is the matrix of the products of the points. If G u = (1, ..., 1), the weights of the point
+// of least norm are a multiple of u. G is singular where the affine hull contains the origin. G
+// plus a number at all entries is not, and has the same solution but for a factor (Wolfe, as
+// above). A point that is added costs one row of its factor.
 template <class Point>
 bool NearestPointOf<Point>::affine_minimum(std::array<double, kMost>& weights) const {
   double sum = 0;

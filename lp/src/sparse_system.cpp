@@ -82,6 +82,21 @@ std::optional<SharedFractions> fractions_of(const Row& residues, const Integer& 
   return x;
 }
 
+/// Returns the number with these digits in the base powers[0], the lowest first. They are
+/// joined two by two, again and again. Their number is a power of two, and powers[j] the 2^j-th
+/// power.
+Integer joined(std::vector<Integer> digits, const std::vector<Integer>& powers) {
+  for (std::size_t j = 0; digits.size() > 1; ++j) {
+    for (std::size_t k = 0; 2 * k < digits.size(); ++k) {
+      Integer& low = digits[2 * k];
+      mpz_addmul(low.mutable_gmp(), digits[2 * k + 1].gmp(), powers[j].gmp());
+      if (k > 0) digits[k] = std::move(low);
+    }
+    digits.resize(digits.size() / 2);
+  }
+  return std::move(digits.front());
+}
+
 }  // namespace
 
 SparseSystem::SparseSystem(std::size_t rows, const std::vector<SparseRow>& columns)
@@ -192,7 +207,6 @@ std::optional<SharedFractions> SparseSystem::solve(const RationalRow& b) const {
   Integer modulus = 1;
   for (std::size_t round = 16;; round *= 2) {
     std::vector<std::vector<Word>> found;
-    Integer block_modulus = 1;
     for (std::size_t digit = 0; digit < round; ++digit) {
       found.push_back(digits(left));
       const std::vector<Word>& x = found.back();
@@ -206,17 +220,20 @@ std::optional<SharedFractions> SparseSystem::solve(const RationalRow& b) const {
       for (Integer& entry : left) {
         mpz_divexact_ui(entry.mutable_gmp(), entry.gmp(), kPrime);
       }
-      block_modulus *= kPrime;
+    }
+    std::vector<Integer> powers{Integer(kPrime * kPrime)};  // squared one after another
+    while (std::size_t{2} << powers.size() < round) {
+      powers.push_back(powers.back() * powers.back());
     }
     for (std::size_t k = 0; k < residues.size(); ++k) {
-      Integer block = 0;
-      for (std::size_t digit = round; digit-- > 0;) {
-        block *= kPrime;
-        block += found[digit][k];
+      std::vector<Integer> pairs;  // of digits, which a word holds
+      for (std::size_t j = 0; j < round; j += 2) {
+        pairs.emplace_back(found[j][k] + kPrime * found[j + 1][k]);
       }
-      mpz_addmul(residues[k].mutable_gmp(), block.gmp(), modulus.gmp());
+      mpz_addmul(residues[k].mutable_gmp(), joined(std::move(pairs), powers).gmp(),
+                 modulus.gmp());
     }
-    modulus *= block_modulus;
+    modulus *= powers.back() * powers.back();
     std::optional<SharedFractions> kept = fractions_of(residues, modulus);
     if (!kept) continue;
     const Row rest = left_by(*kept, right);

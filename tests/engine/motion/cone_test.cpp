@@ -205,6 +205,42 @@ TEST(Cone, SmallRandomSystems) {
   }
 }
 
+// The parts on several sides are what as many cuts leave, with rays in the same order.
+TEST(Cone, PartsAreWhatCutsLeave) {
+  RandomSource random(4);
+  const std::vector<Side> all{Side::kPositive, Side::kZero, Side::kNegative};
+  int along_lines = 0;
+  int others = 0;
+  for (int round = 0; round < 300; ++round) {
+    Cone cone;
+    for (int n = random.between(0, 6); n > 0; --n) {
+      cone.cut(random_plane(random, 2), random_side(random));
+    }
+    const IntegerVector5 plane = random_plane(random, 2);
+    std::vector<Side> sides;
+    for (const Side side : all) {
+      if (!random.one_in(4)) sides.push_back(side);
+    }
+    const std::vector<Cone> parts = cone.parts(plane, sides);
+    ASSERT_EQ(parts.size(), sides.size());
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      Cone cut = cone;
+      cut.cut(plane, sides[k]);
+      EXPECT_EQ(parts[k].lines(), cut.lines());
+      EXPECT_EQ(parts[k].constraint_count(), cut.constraint_count());
+      EXPECT_EQ(parts[k].pairs(), k == 0 ? cut.pairs() : 0);
+      ASSERT_EQ(parts[k].rays().size(), cut.rays().size());
+      for (std::size_t r = 0; r < cut.rays().size(); ++r) {
+        EXPECT_EQ(parts[k].rays()[r].x, cut.rays()[r].x);
+        EXPECT_EQ(parts[k].rays()[r].tight, cut.rays()[r].tight);
+      }
+      ++(cut.lines().size() < cone.lines().size() ? along_lines : others);
+    }
+  }
+  EXPECT_GE(along_lines, 50);
+  EXPECT_GE(others, 50);
+}
+
 TEST(ConeSigns, AgreeWithSubstitution) {
   RandomSource random(3);
   for (int round = 0; round < 300; ++round) {

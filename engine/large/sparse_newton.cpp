@@ -292,8 +292,7 @@ class EquilibriumCurve {
   /// Returns the product by which lengths are measured: a motion as large as typical ones is as
   /// long as a factor of e in the sizes of slips.
   double product(const CurvePoint& a, const CurvePoint& b) const {
-    const double unit = unit_;
-    return a.d.dot(b.d) / (unit * unit) + a.level * b.level;
+    return a.d.dot(b.d) / (unit_ * unit_) + a.level * b.level;
   }
 
   /// Returns the direction of the curve, of length 1, one way or the other; 0 if rounding hides
@@ -340,8 +339,8 @@ class EquilibriumCurve {
   }
 
   const SmoothGrasp& grasp_;
-  double unit_ = 1;
-  bool drifts_ = false;
+  double unit_ = 1;      ///< the length of motions here
+  bool drifts_ = false;  ///< whether motions grow as sizes get smaller
   Sparse derivative_;
   Eigen::SparseLU<Sparse> solver_;
 };

@@ -90,10 +90,10 @@ class StrictCone : public StrictConeOf<Row> {
   explicit StrictCone(std::size_t motions, Multiples multiples = Multiples::kZero)
       : StrictConeOf(multiples, motions + 2), motions_(motions) {}
 
-  /// A side of a plane to keep, and whether the plane is strict there.
+  /// A side of a plane to keep.
   struct StrictSide {
-    Side side;
-    bool strict;
+    Side side;    ///< the side
+    bool strict;  ///< whether the plane is not 0 at solutions there
   };
   /// Returns the parts on these sides of a plane, as that many cuts would.
   std::vector<StrictCone> parts(const Row& plane, const std::vector<StrictSide>& sides) const;

@@ -1,18 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "nearest_point.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace stickslip {
 
-// G is the matrix of the products of the points. If G u = (1, ..., 1), the weights of the point
-// of least norm are a multiple of u. G is singular where the affine hull contains the origin. G
-// plus a number at all entries is not, and has the same solution but for a factor (Wolfe, as
-// above). A point that is added costs one row of its factor.
+// The weights solve Lagrange's system: the Gram matrix G of the points, bordered by ones,
+// against (0, ..., 0, 1). Of few coordinates that is solved with pivots.
+template <class Point>
+bool NearestPointOf<Point>::minimum_with_pivots(std::array<double, kMost>& weights) const {
+  constexpr int kRows = static_cast<int>(kMost) + 1;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kRows, kRows>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kRows, 1>;
+  const auto used = static_cast<Eigen::Index>(size_);
+  Matrix m = Matrix::Ones(used + 1, used + 1);
+  m(used, used) = 0;
+  for (Eigen::Index j = 0; j < used; ++j) {
+    for (Eigen::Index k = 0; k < used; ++k) {
+      m(j, k) = products_[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)];
+    }
+  }
+  const Vector solution = m.partialPivLu().solve(Vector(Vector::Unit(used + 1, used)));
+  std::copy_n(solution.data(), size_, weights.begin());
+  return solution.allFinite();
+}
+
+// Of many coordinates a factor is kept, so that a point that is added costs one row of it. If
+// G u = (1, ..., 1), the weights are a multiple of u. G is singular where the affine hull
+// contains the origin. G plus a number at all entries is not, and has the same solution but for
+// a factor (Wolfe, as above).
 template <class Point>
 bool NearestPointOf<Point>::affine_minimum(std::array<double, kMost>& weights) const {
+  if (has_few_coordinates()) return minimum_with_pivots(weights);
   double sum = 0;
   for (std::size_t k = size_; k-- > 0;) {
     double entry = halfway_[k];
@@ -27,6 +49,7 @@ bool NearestPointOf<Point>::affine_minimum(std::array<double, kMost>& weights) c
 
 template <class Point>
 void NearestPointOf<Point>::factorize_from(std::size_t first) {
+  if (has_few_coordinates()) return;
   for (std::size_t i = first; i < size_; ++i) {
     double square = products_[i][i];
     double rest = 1;
@@ -72,7 +95,7 @@ bool NearestPointOf<Point>::add(const Point& point) {
   points_[size_] = point;
   weight_[size_] = size_ == 0 ? 1.0 : 0.0;
   order_[size_] = added_++;
-  if (size_ == 0) shift_ = dot(point, point);
+  if (size_ == 0 && !has_few_coordinates()) shift_ = dot(point, point);
   for (std::size_t k = 0; k <= size_; ++k) {
     products_[size_][k] = products_[k][size_] = dot(points_[k], point) + shift_;
   }

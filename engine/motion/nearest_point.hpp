@@ -41,10 +41,15 @@ class NearestPointOf {
 
  private:
   static constexpr std::size_t kMost = kMostPointsOf<Point>;
+  static constexpr std::size_t kFewCoordinates = 12;
 
   /// Finds weights of sum 1, of any sign, of the point of least norm in the affine hull.
   /// Returns false if they are not finite.
   bool affine_minimum(std::array<double, kMost>& weights) const;
+  bool minimum_with_pivots(std::array<double, kMost>& weights) const;
+  bool has_few_coordinates() const {
+    return static_cast<std::size_t>(points_[0].size()) <= kFewCoordinates;
+  }
   /// Computes the rows of the factor from this one on.
   void factorize_from(std::size_t first);
   void remove(std::size_t k);

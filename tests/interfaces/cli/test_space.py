@@ -317,7 +317,7 @@ class Random(Space):
 class Near(Space):
     """Loads within 1 % of a threshold; how much work an answer may be."""
 
-    NODES = {"box4_1_0u": 395, "box4_1_3s": 380, "box4_2_1u": 431, "sphere4_1_2u": 117,
+    NODES = {"box4_1_0u": 395, "box4_1_3s": 182, "box4_2_1u": 431, "sphere4_1_2u": 117,
              "sphere4_1_3s": 73, "sphere4_2_0u": 347, "sphere8_1_0s": 12, "sphere8_1_0u": 687,
              "sphere8_0s": 524, "sphere12_0s": 96}
 

@@ -60,26 +60,34 @@ function(stickslip_compile target is_cold)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
   stickslip_set_warnings(${target})
-  stickslip_reuse_headers(${target})
+  stickslip_reuse_headers(${target} ${is_cold})
 endfunction()
 
 # What nearly all of the library includes takes three quarters of the time that a file takes to
-# compile: it is compiled once.
-function(stickslip_reuse_headers name)
+# compile: it is compiled once. What a release optimises little has its own: headers of intrinsics,
+# which Eigen includes, restore the flags with which the precompiled header was made.
+function(stickslip_reuse_headers name is_cold)
   if(STICKSLIP_COVERAGE)  # its flags differ from module to module
     return()
   endif()
-  if(NOT TARGET stickslip_headers)
-    file(WRITE ${PROJECT_BINARY_DIR}/headers/headers.cpp "")
-    add_library(stickslip_headers OBJECT ${PROJECT_BINARY_DIR}/headers/headers.cpp)
-    target_link_libraries(stickslip_headers PRIVATE stickslip_gmp)
-    set_target_properties(stickslip_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    stickslip_set_warnings(stickslip_headers)
-    target_precompile_headers(stickslip_headers PRIVATE
+  set(headers stickslip_headers)
+  if(is_cold AND CMAKE_BUILD_TYPE STREQUAL Release)
+    set(headers stickslip_cold_headers)
+  endif()
+  if(NOT TARGET ${headers})
+    file(WRITE ${PROJECT_BINARY_DIR}/headers/${headers}.cpp "")
+    add_library(${headers} OBJECT ${PROJECT_BINARY_DIR}/headers/${headers}.cpp)
+    target_link_libraries(${headers} PRIVATE stickslip_gmp)
+    set_target_properties(${headers} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    stickslip_set_warnings(${headers})
+    if(headers STREQUAL stickslip_cold_headers)
+      target_compile_options(${headers} PRIVATE -O1)
+    endif()
+    target_precompile_headers(${headers} PRIVATE
       <gmp.h> <algorithm> <array> <cmath> <functional> <memory> <map> <optional> <set> <string>
       <variant> <vector>)
   endif()
-  target_precompile_headers(${name} REUSE_FROM stickslip_headers)
+  target_precompile_headers(${name} REUSE_FROM ${headers})
 endfunction()
 
 # stickslip_program(name SOURCES ... LIBS ...): an executable in build/bin.
@@ -145,7 +153,8 @@ function(stickslip_uses_cgal module)
     if(NOT TARGET stickslip_cgal_checked)
       add_library(stickslip_cgal_checked OBJECT EXCLUDE_FROM_ALL)
       target_include_directories(stickslip_cgal_checked PRIVATE ${PROJECT_SOURCE_DIR})
-      target_compile_options(stickslip_cgal_checked PRIVATE ${options} -UNDEBUG -UCGAL_NDEBUG)
+      target_compile_options(stickslip_cgal_checked PRIVATE ${options} -UNDEBUG -UCGAL_NDEBUG
+        $<$<CONFIG:Release>:-O1>)  # as the tests
       target_compile_definitions(stickslip_cgal_checked PRIVATE CGAL_USE_GMP CGAL_USE_MPFR
         STICKSLIP_CHECKED CGAL_CHECK_EXPENSIVE CGAL_CHECK_EXACTNESS)
       stickslip_set_warnings(stickslip_cgal_checked)

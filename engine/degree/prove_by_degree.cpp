@@ -25,6 +25,9 @@ constexpr std::size_t kFewDimensions = 3;
 /// The largest rank for parallelepipeds: a wall of one has 2^(rank - 1) vertices, one of a
 /// simplex rank.
 constexpr std::size_t kMostOfParallelepipeds = 6;
+/// The same of walls around a cloud if geometry is certain, as of a hand of four joints: they
+/// prove what simplices do not.
+constexpr std::size_t kMostOfClouds = 7;
 /// \{ The most nodes of a tree that is worth a try.
 constexpr std::size_t kFewNodes = 40;
 constexpr std::size_t kSomeNodes = 300;
@@ -256,49 +259,77 @@ std::optional<DegreeProof> DegreeSearch::prove_by_moves(const NearEquilibrium& n
   return std::nullopt;
 }
 
-/// Tries walls around a cloud of equilibria of grasps of the box, with room around it so that
-/// what slips there slips one way, and with leaves whose twists move. A wall that is not
-/// refuted moves to where doubles see a reason at the point at which it failed.
+/// Tries walls around a cloud of equilibria of grasps of the box, with leaves whose twists
+/// move. If geometry is uncertain there is room around the cloud, so that what slips there
+/// slips one way; a wall that is not refuted moves to where doubles see a reason at the point
+/// at which it failed. Else the walls are close to a cloud of more places.
 std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& near) {
   const bool is_verdict = !about_.box->is_family && !about_.box->hull;
-  if (!is_verdict || about_.span.rank() > kMostOfParallelepipeds) return std::nullopt;
-  constexpr std::size_t kPlaces = 100;
-  constexpr std::size_t kMostPieces = 1000;  // a proof takes a few hundred
-  if (work_.pieces > kMostPieces) return std::nullopt;
+  const auto& contacts = about_.box->contacts;
+  const bool is_close = std::all_of(contacts.begin(), contacts.end(),
+                                    [](const auto& c) { return c.geometry_is_certain(); });
+  const std::size_t most_rank = is_close ? kMostOfClouds : kMostOfParallelepipeds;
+  if (!is_verdict || about_.span.rank() > most_rank) return std::nullopt;
+  const std::size_t places = is_close ? 400 : 100;
+  // A proof takes a few hundred.
+  const std::size_t most_pieces = is_close ? 2000 : 1000;
+  if (work_.pieces > most_pieces) return std::nullopt;
   const RoundedBox rounded(*about_.box);
-  const CloudCoordinates cloud(about_.grasp, about_.span, near,
-                               MovingEquilibrium(rounded, near).cloud(kPlaces));
+  const std::vector<Reals> moves = MovingEquilibrium(rounded, near).cloud(places);
+  const CloudCoordinates cloud(about_.grasp, about_.span, near, moves);
   if (!(cloud.press > 0)) return std::nullopt;
   MovingRefuter refuter(*about_.box, *about_.middle, work_);
-  constexpr double kRoom = 10;
+  const double room_of_extent = is_close ? 1 : 10;
   constexpr double kLeastRoom = 0.12;
-  Eigen::VectorXd room = (kRoom * cloud.extent).cwiseMax(kLeastRoom * cloud.press);
-  constexpr int kMostGrowths = 6;
-  for (int growth = 0; growth <= kMostGrowths && work_.pieces <= kMostPieces; ++growth) {
+  const double least = kLeastRoom * cloud.press;
+  Eigen::VectorXd room = (room_of_extent * cloud.extent).cwiseMax(least);
+  const int most_growths = is_close ? 12 : 6;
+  std::optional<Walls> walls;
+  for (int growth = 0; growth <= most_growths && work_.pieces <= most_pieces; ++growth) {
     ++work_.proofs;
-    std::vector<double> sizes(room.begin(), room.end());
-    std::nth_element(sizes.begin(),
-                     sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
-                     sizes.end());
-    const Eigen::MatrixXd answer =
-        Newton(about_.grasp).answer(near.motion, sizes[sizes.size() / 2]);
-    const Walls walls(about_.grasp, about_.span, near, answer, cloud.rows, room);
-    if (!walls.is_sound()) return std::nullopt;
-    DegreeProof proof = walls.proof(Pull::kAnswer, false);
+    if (!walls) {
+      std::vector<double> sizes(room.begin(), room.end());
+      std::nth_element(sizes.begin(),
+                       sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
+                       sizes.end());
+      const Eigen::MatrixXd answer =
+          Newton(about_.grasp).answer(near.motion, sizes[sizes.size() / 2]);
+      if (is_close) room.setConstant(least);
+      walls.emplace(about_.grasp, about_.span, near, answer, cloud.rows, room);
+      if (!walls->is_sound()) return std::nullopt;
+      if (is_close) walls->enclose(moves);
+    }
+    DegreeProof proof = walls->proof(Pull::kAnswer, false);
     if (!has_rank(proof, about_.span.rank()) || !is_within(proof, about_.box->max_motion)) {
       return std::nullopt;
     }
     if (about_.law == NormalLaw::kBilateral && !refuter.all_are_closed(proof)) {
       return std::nullopt;
     }
-    std::optional<std::size_t> open;
-    for (std::size_t tree = 0; tree < 2 * proof.wall_count() && !open; ++tree) {
-      const std::size_t wall = tree % proof.wall_count();
-      const std::size_t left = kMostPieces > work_.pieces ? kMostPieces - work_.pieces : 0;
-      if (!refuter.refute(proof, wall, tree >= proof.wall_count(), left)) open = wall;
+    const auto first_open = [&](bool second) -> std::optional<std::size_t> {
+      for (std::size_t wall = 0; wall < proof.wall_count(); ++wall) {
+        const std::size_t left = most_pieces > work_.pieces ? most_pieces - work_.pieces : 0;
+        if (!refuter.refute(proof, wall, second, left)) return wall;
+      }
+      return std::nullopt;
+    };
+    std::optional<std::size_t> open = first_open(false);
+    const bool is_list_2 = !open;
+    const auto of_list_1 = static_cast<std::ptrdiff_t>(proof.trees.size());
+    for (const Pull pull :
+         {is_close ? Pull::kFitted : Pull::kAnswer, is_close ? Pull::kAnswer : Pull::kFitted}) {
+      if (!is_list_2) break;
+      proof.trees.erase(proof.trees.begin() + of_list_1, proof.trees.end());
+      proof.direction = walls->proof(pull, false).direction;
+      if (!has_rank(proof, about_.span.rank())) continue;
+      open = first_open(true);
+      if (!open) return proof;
     }
-    if (!open) return proof;
-    if (refuter.lost_at().size() == 0) return std::nullopt;
+    if (!open || refuter.lost_at().size() == 0) return std::nullopt;
+    if (is_close) {
+      walls->grow(*open, false);
+      continue;
+    }
     double best = 0;
     double farther = 1;
     for (const double part : {0.5, 0.7, 1.0, 1.4, 2.0, 2.8}) {
@@ -313,6 +344,7 @@ std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& n
     if (best > -kClear) farther = 1.4;
     if (farther == 1) farther = 1.25;
     room[static_cast<Eigen::Index>(*open / 2)] *= farther;
+    walls.reset();
   }
   return std::nullopt;
 }

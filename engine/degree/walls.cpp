@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/motion/dense.hpp"
+#include "rounded_box.hpp"
 
 namespace stickslip::degree_detail {
 namespace {
@@ -317,17 +318,33 @@ Eigen::MatrixXd Walls::pull_fitted(const Eigen::MatrixXd& walls, const Reals& ce
     double weight;
   };
   std::vector<Sample> samples;
-  constexpr int kPlaces = 5;  // along an edge
-  const int count = static_cast<int>(std::pow(kPlaces, rank) + 0.5);
-  for (int p = 0; p < count; ++p) {
-    Eigen::VectorXd place(rank);
-    int digits = p;
-    for (Eigen::Index j = 0; j < rank; ++j, digits /= kPlaces) {
-      place[j] = 2.0 * (digits % kPlaces) / (kPlaces - 1) - 1;
-    }
-    if (place.lpNorm<Eigen::Infinity>() < 1) continue;
+  const auto add = [&](const Eigen::VectorXd& place) {
     const Reals force = force_at(centre + corners * place);
     if (force.norm() > 0) samples.push_back({place, -force.normalized(), 1});
+  };
+  constexpr Eigen::Index kFewDimensions = 3;
+  if (rank <= kFewDimensions) {
+    constexpr int kPlaces = 5;  // along an edge
+    const int count = static_cast<int>(std::pow(kPlaces, rank) + 0.5);
+    for (int p = 0; p < count; ++p) {
+      Eigen::VectorXd place(rank);
+      int digits = p;
+      for (Eigen::Index j = 0; j < rank; ++j, digits /= kPlaces) {
+        place[j] = 2.0 * (digits % kPlaces) / (kPlaces - 1) - 1;
+      }
+      if (place.lpNorm<Eigen::Infinity>() == 1) add(place);
+    }
+  } else {
+    constexpr int kPlacesOfWall = 200;
+    Xorshift random;
+    for (Eigen::Index wall = 0; wall < 2 * rank; ++wall) {
+      for (int p = 0; p < kPlacesOfWall; ++p) {
+        Eigen::VectorXd place(rank);
+        for (double& entry : place) entry = random.next();
+        place[wall / 2] = wall % 2 == 0 ? 1 : -1;
+        add(place);
+      }
+    }
   }
   Eigen::MatrixXd best = Eigen::MatrixXd::Identity(middle_.motions(), rank);
   double most = -2;

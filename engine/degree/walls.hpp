@@ -48,7 +48,7 @@ class Walls {
   /// The choice of A.
   enum class Pull {
     kTwists,  ///< forces that the virtual twists see
-    kFitted,  ///< a fit against the forces on the walls, in few dimensions
+    kFitted,  ///< a fit against the forces on the walls
     kStiff,   ///< springs, and spare friction over how far the contact can slip
     kAnswer   ///< how smooth forces answer motions; for such walls alone
   };

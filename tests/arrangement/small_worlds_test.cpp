@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "families.hpp"
+#include "rounds.hpp"
 
 namespace stickslip {
 namespace {
@@ -48,11 +49,12 @@ std::size_t for_each_multiset(const std::vector<Vector3>& normals, std::size_t s
 TEST(SmallWorlds, EveryMultisetOfUpToFiveLines) {
   const std::vector<Vector3> lines = unit_grid_normals(true);
   ASSERT_EQ(lines.size(), 13u);
+  const std::size_t most = test::kSanitized ? 4 : 5;
   std::size_t total = 0;
-  for (std::size_t size = 0; size <= 5; ++size) {
+  for (std::size_t size = 0; size <= most; ++size) {
     total += for_each_multiset(lines, size, test::expect_equals_oracle);
   }
-  EXPECT_EQ(total, 1u + 13u + 91u + 455u + 1820u + 6188u);
+  EXPECT_EQ(total, 1u + 13u + 91u + 455u + 1820u + (most == 5 ? 6188u : 0));
 }
 
 TEST(SmallWorlds, EveryMultisetOfUpToThreeOrientedPlanes) {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "families.hpp"
+#include "rounds.hpp"
 #include "stickslip/core/error.hpp"
 #include "sweep_checks.hpp"
 
@@ -51,20 +52,22 @@ void expect_equals_cgal(const std::vector<Vector3>& planes) {
 }
 
 TEST(SweepAgainstCgal, EveryFamily) {
-  for (const std::size_t m : {31u, 32u, 33u, 64u, 100u, 200u}) {
+  constexpr std::size_t kMany = test::rounds(std::size_t{200});
+  for (const std::size_t m :
+       {std::size_t{31}, std::size_t{32}, std::size_t{33}, std::size_t{64}, kMany / 2, kMany}) {
     expect_equals_cgal(test::moment_planes(m));
   }
   for (const int bound : {1, 2, 3, 10}) {
-    expect_equals_cgal(test::grid_planes(200, bound, static_cast<std::uint32_t>(bound)));
+    expect_equals_cgal(test::grid_planes(kMany, bound, static_cast<std::uint32_t>(bound)));
   }
   for (const char* epsilon : {"1e-9", "1e-18", "1e-60"}) {
-    expect_equals_cgal(test::near_grid_planes(80, 2, parse_rational(epsilon), 3));
+    expect_equals_cgal(test::near_grid_planes(test::rounds(80), 2, parse_rational(epsilon), 3));
   }
-  std::vector<Vector3> pencil_and_others = test::pencil_planes(100, 2);
+  std::vector<Vector3> pencil_and_others = test::pencil_planes(kMany / 2, 2);
   for (const Vector3& n : test::grid_planes(20, 3, 2)) pencil_and_others.push_back(n);
   for (const std::vector<Vector3>& planes :
-       {test::simple_planes(60, 5), test::pencil_planes(200, 1), pencil_and_others,
-        test::axis_aligned_planes(200, 60, 1), test::axis_aligned_planes(200, 5, 2)}) {
+       {test::simple_planes(60, 5), test::pencil_planes(kMany, 1), pencil_and_others,
+        test::axis_aligned_planes(kMany, 60, 1), test::axis_aligned_planes(kMany, 5, 2)}) {
     expect_equals_cgal(planes);
   }
 }

@@ -237,9 +237,16 @@ class RulesTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.entries = corpus.all_entries()
-        with tempfile.TemporaryDirectory() as folder:
-            asker = batch.Asker(folder)
-            cls.check_py = {entry[:2]: asker.judged(question_of(entry)) for entry in cls.entries}
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.asker, cls.answers = batch.Asker(folder.name), {}
+
+    @classmethod
+    def check_py(cls, entry):
+        """The report of check.py, the text that is printed, and the exit code. Each entry is judged once, when it is first asked about."""
+        if entry[:2] not in cls.answers:
+            cls.answers[entry[:2]] = cls.asker.judged(question_of(entry))
+        return cls.answers[entry[:2]]
 
     def expect(self, entries, answers, says=("result", "rule", "node", "path")):
         """And that reports of what is accepted are those of check.py."""
@@ -248,7 +255,7 @@ class RulesTest(unittest.TestCase):
             with self.subTest(entry.name, kind=entry.kind):
                 expected = {"result": "rejected", "rule": entry.rule, "node": entry.node, "path": entry.path}
                 if entry.rule is None:
-                    report, _, _ = self.check_py[entry[:2]]
+                    report, _, _ = self.check_py(entry)
                     self.assertEqual(answer, {**report, "result": "accepted", **entry.says})
                 elif entry.rule == "malformed":
                     self.assertEqual((answer["result"], answer["rule"]), ("malformed", None), answer)
@@ -262,7 +269,7 @@ class RulesTest(unittest.TestCase):
             for entry in entries:
                 if entry.rule is None:
                     done = run([command], folder, entry)
-                    self.assertEqual((done.returncode, done.stdout), (0, self.check_py[entry[:2]][1]), entry.name)
+                    self.assertEqual((done.returncode, done.stdout), (0, self.check_py(entry)[1]), entry.name)
 
     def expect_ignorance(self, command, member, kinds):
         """Of a checker that does not judge them: the member is malformed to it, and the option is none of its own."""
@@ -318,9 +325,9 @@ class RulesTest(unittest.TestCase):
                 self.assertEqual("bodies_soft" if soft else "_".join(filter(None, kind)), entry.kind.replace("_box", ""), entry.name)
 
     def test_check_py(self):
-        self.expect(self.entries, [report for report, _, _ in self.check_py.values()])
+        self.expect(self.entries, [self.check_py(entry)[0] for entry in self.entries])
         for entry in self.entries:
-            lines = self.check_py[entry[:2]][1].split("\n")
+            lines = self.check_py(entry)[1].split("\n")
             self.assertEqual([line for line in entry.prints if line not in lines], [], (entry.name, lines))
 
     @classmethod
@@ -340,7 +347,7 @@ class RulesTest(unittest.TestCase):
         if half:
             pairs = [pair for k, pair in enumerate(pairs) if k % 4 in (0, 3)]
         for (entry, other), report in zip(pairs, answers_to([other for _, other in pairs])):
-            expected = self.check_py[entry[:2]][0]
+            expected = self.check_py(entry)[0]
             if report["question"] is not None and ball_of(report) is not None:
                 self.assertEqual(ball_of(report).pop("body"), "it")
             same = set(expected) - ({"path", "found"} if expected["result"] == "malformed" else {"found"})
@@ -355,7 +362,7 @@ class RulesTest(unittest.TestCase):
         self.assertEqual({entry.rule for entry, _ in pairs if str(entry.rule).startswith("witness-")},
                          {rule for rule in WHERE if rule.startswith("witness-")})
         for (entry, other), report in zip(pairs, answers_to([other for _, other in pairs])):
-            expected = self.check_py[entry[:2]][0]
+            expected = self.check_py(entry)[0]
             self.assertEqual({key: report[key] for key in ("result", "rule", "node", "path", "verdict", "box")},
                              {key: expected[key] for key in ("result", "rule", "node", "path", "verdict", "box")}, (entry.name, other.grasp, report))
 

@@ -25,7 +25,7 @@ constexpr std::size_t kFewDimensions = 3;
 /// The largest rank for parallelepipeds: a wall of one has 2^(rank - 1) vertices, one of a
 /// simplex rank.
 constexpr std::size_t kMostOfParallelepipeds = 6;
-/// The same of walls around a cloud if geometry is certain, as of a hand of four joints: they
+/// The same of walls around the cloud of a ball of loads, as of a hand of four joints: they
 /// prove what simplices do not.
 constexpr std::size_t kMostOfClouds = 7;
 /// \{ The most nodes of a tree that is worth a try.
@@ -268,7 +268,8 @@ std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& n
   const auto& contacts = about_.box->contacts;
   const bool is_close = std::all_of(contacts.begin(), contacts.end(),
                                     [](const auto& c) { return c.geometry_is_certain(); });
-  const std::size_t most_rank = is_close ? kMostOfClouds : kMostOfParallelepipeds;
+  const std::size_t most_rank =
+      is_close && about_.box->ball ? kMostOfClouds : kMostOfParallelepipeds;
   if (!is_verdict || about_.span.rank() > most_rank) return std::nullopt;
   const std::size_t places = is_close ? 400 : 100;
   // A proof takes a few hundred.

@@ -272,8 +272,8 @@ std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& n
       is_close && about_.box->ball ? kMostOfClouds : kMostOfParallelepipeds;
   if (!is_verdict || about_.span.rank() > most_rank) return std::nullopt;
   const std::size_t places = is_close ? 400 : 100;
-  // A proof takes a few hundred.
-  const std::size_t most_pieces = is_close ? 2000 : 1000;
+  // A proof takes a few hundred, of a hand up to twice as many.
+  const std::size_t most_pieces = about_.span.rank() > kMostOfParallelepipeds ? 2000 : 1000;
   if (work_.pieces > most_pieces) return std::nullopt;
   const RoundedBox rounded(*about_.box);
   const std::vector<Reals> moves = MovingEquilibrium(rounded, near).cloud(places);
@@ -284,9 +284,9 @@ std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& n
   constexpr double kLeastRoom = 0.12;
   const double least = kLeastRoom * cloud.press;
   Eigen::VectorXd room = (room_of_extent * cloud.extent).cwiseMax(least);
-  const int most_growths = is_close ? 12 : 6;
+  constexpr int kMostGrowths = 6;
   std::optional<Walls> walls;
-  for (int growth = 0; growth <= most_growths && work_.pieces <= most_pieces; ++growth) {
+  for (int growth = 0; growth <= kMostGrowths && work_.pieces <= most_pieces; ++growth) {
     ++work_.proofs;
     if (!walls) {
       std::vector<double> sizes(room.begin(), room.end());

@@ -8,7 +8,6 @@
 #include "independent_rows.hpp"
 
 namespace stickslip::degree_detail {
-namespace {
 
 double median_of(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -16,8 +15,6 @@ double median_of(std::vector<double> values) {
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
-
-}  // namespace
 
 CloudCoordinates::CloudCoordinates(const RoundedGrasp& middle, const ForceSpan& span,
                                    const NearEquilibrium& near,

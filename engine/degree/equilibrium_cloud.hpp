@@ -12,6 +12,9 @@
 
 namespace stickslip::degree_detail {
 
+/// Returns the value in the middle, of two the larger; 0 if there are none.
+double median_of(std::vector<double> values);
+
 /// Coordinates of motions around an equilibrium: first along the slips of the contacts that
 /// stick, which all friction that is left is against; then across forces. Within each of the
 /// two they are the principal axes of the cloud.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -284,17 +285,16 @@ std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& n
   constexpr double kLeastRoom = 0.12;
   const double least = kLeastRoom * cloud.press;
   Eigen::VectorXd room = (room_of_extent * cloud.extent).cwiseMax(least);
+  // Springs answer as A does near them; far off a fit to the forces on the walls is better.
+  const std::array<Pull, 2> pulls = is_close ? std::array{Pull::kFitted, Pull::kAnswer}
+                                             : std::array{Pull::kAnswer, Pull::kFitted};
   constexpr int kMostGrowths = 6;
   std::optional<Walls> walls;
   for (int growth = 0; growth <= kMostGrowths && work_.pieces <= most_pieces; ++growth) {
     ++work_.proofs;
     if (!walls) {
-      std::vector<double> sizes(room.begin(), room.end());
-      std::nth_element(sizes.begin(),
-                       sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
-                       sizes.end());
       const Eigen::MatrixXd answer =
-          Newton(about_.grasp).answer(near.motion, sizes[sizes.size() / 2]);
+          Newton(about_.grasp).answer(near.motion, median_of({room.begin(), room.end()}));
       if (is_close) room.setConstant(least);
       walls.emplace(about_.grasp, about_.span, near, answer, cloud.rows, room);
       if (!walls->is_sound()) return std::nullopt;
@@ -315,16 +315,15 @@ std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& n
       return std::nullopt;
     };
     std::optional<std::size_t> open = first_open(false);
-    const bool is_list_2 = !open;
-    const auto of_list_1 = static_cast<std::ptrdiff_t>(proof.trees.size());
-    for (const Pull pull :
-         {is_close ? Pull::kFitted : Pull::kAnswer, is_close ? Pull::kAnswer : Pull::kFitted}) {
-      if (!is_list_2) break;
-      proof.trees.erase(proof.trees.begin() + of_list_1, proof.trees.end());
-      proof.direction = walls->proof(pull, false).direction;
-      if (!has_rank(proof, about_.span.rank())) continue;
-      open = first_open(true);
-      if (!open) return proof;
+    if (!open) {
+      const auto of_list_1 = static_cast<std::ptrdiff_t>(proof.trees.size());
+      for (const Pull pull : pulls) {
+        proof.trees.erase(proof.trees.begin() + of_list_1, proof.trees.end());
+        proof.direction = walls->proof(pull, false).direction;
+        if (!has_rank(proof, about_.span.rank())) continue;
+        open = first_open(true);
+        if (!open) return proof;
+      }
     }
     if (!open || refuter.lost_at().size() == 0) return std::nullopt;
     if (is_close) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/degree/equilibria_by_states.hpp"
 #include "engine/degree/newton.hpp"
 #include "stickslip/engine/branch_and_bound.hpp"
 #include "stickslip/engine/newton_equilibria.hpp"
@@ -42,6 +43,10 @@ std::vector<NearEquilibrium> equilibria_in_doubles(const GraspLaw& point, bool h
   const Problem& problem = *one;
   constexpr std::size_t kMost = 4;  // the most of each kind
   std::vector<NearEquilibrium> result = sticking_equilibria(point, grasp);
+  if (!has_enclosures) {
+    for (NearEquilibrium& found : equilibria_by_states(grasp))
+      result.push_back(std::move(found));
+  }
   if (!has_enclosures && !has_long_equilibria(problem)) {
     const Verdict verdict = branch_and_bound(problem);
     const auto* stable = std::get_if<Stable>(&verdict);

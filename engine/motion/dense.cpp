@@ -36,6 +36,10 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& a) {
   return lu.inverse();
 }
 
+double determinant(const Eigen::MatrixXd& a) {
+  return Eigen::PartialPivLU<Eigen::MatrixXd>(a).determinant();
+}
+
 Eigen::Index rank(const Eigen::MatrixXd& a, double flat) {
   return Eigen::FullPivLU<Eigen::MatrixXd>(a).setThreshold(flat).rank();
 }

@@ -27,6 +27,9 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a, std::optional<double> f
 /// number.
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& a);
 
+/// Returns the determinant of a square matrix.
+double determinant(const Eigen::MatrixXd& a);
+
 /// Returns how many pivots of Gaussian elimination are above `flat` times the largest.
 Eigen::Index rank(const Eigen::MatrixXd& a, double flat);
 

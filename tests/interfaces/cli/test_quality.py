@@ -153,17 +153,24 @@ class Quality(Case):
 
     def test_a_hand_holds_a_ball_of_loads(self):
         # A proof whose list 2 has walls where forces balance only beside what A does at other motions: these are cut apart.
-        self.holds(self.write("hand.json", hand()), "1/20")
+        self.holds(self.write("hand.json", hand()), "1/20:length=1:body=disc")
 
     def test_a_hand_holds_loads_that_move_it_far(self):
         # No simplex encloses the equilibria: fingers of joints that yield slip along the disc. A load at 0.0932 is too much.
         file = os.path.join(CORPUS, "..", "bodies", "hand.json")
-        self.holds(file, "3/50")
+        self.holds(file, "3/50:length=1:body=disc")
         lost = "--wrench=0.0109456,0.153535,0.0618938,0,0,0,0"
         self.assertEqual(self.json("decide", file, lost)["verdict"], "unstable")
 
-    def holds(self, file, radius):
-        ball, proof = ("--uncertain", f"wrench=ball:{radius}:length=1:body=disc"), self.path("hand.certificate.json")
+    def test_fingers_hold_a_ball_of_loads_by_friction_that_sticks(self):
+        # Beside that equilibrium there is one that slips more; the two meet at loads that are not much farther.
+        file = os.path.join(CORPUS, "..", "tolerances", "four_fingers.json")
+        self.holds(file, "0.049:length=5")
+        lost = "--wrench=0.0145079,0.170717,-0.267103"  # at 0.0508
+        self.assertEqual(self.json("decide", file, lost)["verdict"], "unstable")
+
+    def holds(self, file, ball):
+        ball, proof = ("--uncertain", f"wrench=ball:{ball}"), self.path("ball.certificate.json")
         self.assertEqual(self.json("decide", file, *ball, "--certificate", proof)["verdict"], "stable")
         self.accepted(file, proof, *ball)
 

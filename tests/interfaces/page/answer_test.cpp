@@ -121,9 +121,16 @@ TEST(PageAnswer, PartsAreGivenUpInTimeAndSaySo) {
   limits.time = std::chrono::milliseconds(1);
   limits.limits_verdict = true;
   std::vector<std::array<int, 4>> ring;
-  for (int i = 0; i < 100; ++i) ring.push_back({i - 50, 2 * (i % 7), i % 5 - 2, i % 2 * 2 - 1});
+  const std::array<std::array<int, 2>, 5> normals{
+      {{3, 4}, {-4, 3}, {5, -12}, {-8, -15}, {4, -3}}};
+  for (std::size_t i = 0; i < 100; ++i) {
+    const int x = static_cast<int>(i);
+    ring.push_back({x - 50, 2 * (x % 7), normals[i % 5][0], normals[i % 5][1]});
+  }
+  Json grasp = Json::parse(grasp_of(ring));
+  grasp["defaults"]["preload"] = 1;  // the region takes seconds
   const Json answer =
-      answer_about(grasp_of(ring), {PagePart::kRegion, PagePart::kWarnings}, limits);
+      answer_about(grasp.dump(), {PagePart::kRegion, PagePart::kWarnings}, limits);
   EXPECT_TRUE(answer["region"].is_null());
   ASSERT_EQ(answer["messages"].size(), 1U);
   EXPECT_EQ(answer["messages"][0], "region: not known within 0.001 seconds.");

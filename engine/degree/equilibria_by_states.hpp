@@ -10,13 +10,13 @@
 namespace stickslip {
 
 /// Returns equilibria of one body in the plane at which it moves, slip state by slip state.
-/// Only quadratically many states are consistent with rigid motion (the paper, section 4).
-/// Those of a state at which no contact opens are all found, and of others one at most. An
-/// equilibrium from which forces turn small motions back, as springs do, comes before those of
-/// the other orientation, and of each kind the nearest is first. Newton's method finds some of
-/// either kind; but the two meet as a load grows, and around the second kind equilibria of a
-/// box move far. There is no result for other grasps, or for more than kMostContactsOfStates
-/// contacts with friction. O(m^3).
+/// Only quadratically many states are consistent with rigid motion (the paper, section 4). An
+/// equilibrium at which all contacts press is always found; where contacts open, one in each
+/// state at most. Those from which forces turn small motions back, as springs do, come before
+/// those of the other orientation, and of each kind the nearest is first. As a load grows, one
+/// of each kind meet and are lost; in a box those of the second kind move farther, and they are
+/// often all that Newton's method finds. There is no result for other grasps, or for more than
+/// kMostContactsOfStates contacts with friction. O(m^3).
 std::vector<NearEquilibrium> equilibria_by_states(const RoundedGrasp& grasp);
 
 /// The most contacts with friction for equilibria_by_states().

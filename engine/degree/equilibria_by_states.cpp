@@ -100,7 +100,7 @@ bool is_lawful(const NearEquilibrium& at, const State& state, const RoundedGrasp
     if (at.sticks[i] != 0) {
       const double most = c.slope * at.normal[i];
       if (std::fabs(at.friction[i][0]) > most + kRoundingError * grasp.force) return false;
-    } else if (state[i] != 0 && c.acts(c.separation(at.motion))) {
+    } else if (state[i] != 0 && at.normal[i] > 0) {
       const double slip = c.slip.row(0).dot(at.motion);
       if (state[i] * slip < -kRoundingError * grasp.reach) return false;
     }

@@ -5,7 +5,8 @@
 
 #include <vector>
 
-#include "newton.hpp"
+#include "rounded_box.hpp"
+#include "stickslip/engine/near_equilibrium.hpp"
 
 namespace stickslip {
 

@@ -12,6 +12,8 @@ from fractions import Fraction as F
 
 from test_cli import BAD_INPUT, CORPUS, DONE, FIG1, Case, checkers, read, run, stickslip
 
+HAND = os.path.join(CORPUS, "..", "bodies", "hand.json")
+
 
 def text(values):
     return [str(F(x)) for x in values]
@@ -157,10 +159,9 @@ class Quality(Case):
 
     def test_a_hand_holds_loads_that_move_it_far(self):
         # No simplex encloses the equilibria: fingers of joints that yield slip along the disc. A load at 0.0932 is too much.
-        file = os.path.join(CORPUS, "..", "bodies", "hand.json")
-        self.holds(file, "3/50:length=1:body=disc")
+        self.holds(HAND, "3/50:length=1:body=disc")
         lost = "--wrench=0.0109456,0.153535,0.0618938,0,0,0,0"
-        self.assertEqual(self.json("decide", file, lost)["verdict"], "unstable")
+        self.assertEqual(self.json("decide", HAND, lost)["verdict"], "unstable")
 
     def test_fingers_hold_a_ball_of_loads_by_friction_that_sticks(self):
         # Beside that equilibrium there is one that slips more; the two meet at loads that are not much farther.

@@ -10,13 +10,12 @@ import unittest
 from fractions import Fraction as F
 
 import test_quality
-from test_cli import CORPUS, DONE, FIG1, STICKSLIP, UNDECIDED, Case, read, stickslip
+from test_cli import DONE, FIG1, STICKSLIP, UNDECIDED, Case, read, stickslip
 from test_preload import pinch as held_pinch
-from test_quality import sled
+from test_quality import HAND, sled
 
 EXAMPLES = os.path.join(os.path.dirname(FIG1), "..", "..", "..", "..", "examples", "grasps")
 CUP = os.path.join(EXAMPLES, "space-cup.json")
-HAND = os.path.join(CORPUS, "..", "bodies", "hand.json")
 AT_ONCE = ("--time-limit", "0.000001")
 SOON = ("--time-limit", "1/5")
 BOX = ("--uncertain", "normal=1/30,friction=5%,position=1/60")  # many seconds

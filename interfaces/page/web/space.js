@@ -488,12 +488,7 @@
     renderer.setSize(width, height);
     camera.aspect = width / height;
     camera.updateProjectionMatrix();
-    for (const part of [scene, axes].flatMap((old) => (old ? old.children : [])))
-      part.traverse((o) => {
-        if (o.geometry && !o.geometry.userData.kept) o.geometry.dispose();
-        if (o.material && o.material.map) o.material.map.dispose();
-        if (o.material) o.material.dispose();
-      });
+    const before = [scene, axes];
     makeAxes();
     scene = new THREE.Scene();
     scene.background = colour("paper");
@@ -510,6 +505,8 @@
       render();
     });
     render();
+    // The renderer drops a shader with the last material that uses it, and compiles it anew for the next.
+    before.forEach(dispose);
     placeHandles();
     renderer.domElement.setAttribute(
       "aria-label",
@@ -518,6 +515,16 @@
         " Arrow keys turn it, plus and minus bring it nearer and away, Home turns it back.",
     );
     page.put("body-legend", legend(built));
+  }
+
+  /** Frees what the renderer keeps of a scene; of none, nothing. */
+  function dispose(old) {
+    if (!old) return;
+    old.traverse((o) => {
+      if (o.geometry && !o.geometry.userData.kept) o.geometry.dispose();
+      if (o.material && o.material.map) o.material.map.dispose();
+      if (o.material) o.material.dispose();
+    });
   }
 
   function legend({ motion, factor, forces, loads, unit }) {

@@ -16,7 +16,9 @@ If the environment variable STICKSLIP_NODE names node, certificate/js/check.js g
 statics, which it does not judge.
 """
 
+import atexit
 import concurrent.futures
+import functools
 import json
 import os
 import subprocess
@@ -60,6 +62,27 @@ class Asker:
             # What check.py would report as an internal error, or wrong usage, is no answer.
             return {"result": "failed", "rule": None, "node": None, "path": None,
                     "found": traceback.format_exc()}, "", 2
+
+
+def question_of(grasp, certificate, options):
+    """Of the bytes of the two files."""
+    return {"grasp": grasp.decode("latin-1"), "certificate": certificate.decode("latin-1"), "options": [str(word) for word in options]}
+
+
+@functools.lru_cache(maxsize=None)
+def batch_process(*program):
+    """A checker in one process for all questions."""
+    process = subprocess.Popen([*program, "--batch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, encoding="ascii")
+    atexit.register(lambda: (process.stdin.close(), process.stdout.close(), process.wait()))
+    return process
+
+
+def in_batch(program, question):
+    """The report of a checker that answers line by line."""
+    process = batch_process(*program)
+    process.stdin.write(json.dumps(question) + "\n")
+    process.stdin.flush()
+    return json.loads(process.stdout.readline())
 
 
 def spool_files(folder):

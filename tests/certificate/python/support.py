@@ -9,7 +9,6 @@ nodes and paths may be others, and what its theorem does not cover it does not j
 """
 
 import atexit
-import functools
 import json
 import os
 import py_compile
@@ -28,6 +27,7 @@ STICKSLIP_PROVED = os.environ.get("STICKSLIP_PROVED")
 NOT_JUDGED = 3  # what takes too much work, or is of a kind that a checker does not cover
 sys.path[:0] = [os.path.dirname(CHECK), os.path.join(HERE, "..", "..", "rules"), os.path.join(HERE, "..", "..", "support"), HERE]
 
+import batch  # noqa: E402
 import check  # noqa: E402
 import corpus  # noqa: E402, F401
 from in_process import in_process  # noqa: E402
@@ -122,26 +122,13 @@ PROGRAMS += [[program] for program in (STICKSLIP_CHECK, STICKSLIP_PROVED) if pro
 PROGRAMS += [[STICKSLIP_NODE, CHECK_NODE]] if STICKSLIP_NODE else []
 
 
-@functools.lru_cache(maxsize=None)
-def batch_process(*program):
-    """A checker in one process for all questions."""
-    process = subprocess.Popen([*program, "--batch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                               encoding="ascii")
-    atexit.register(lambda: (process.stdin.close(), process.stdout.close(), process.wait()))
-    return process
-
-
 def question_of(grasp_file, certificate_file, options):
-    return {"grasp": as_bytes(grasp_file).decode("latin-1"), "certificate": as_bytes(certificate_file).decode("latin-1"),
-            "options": options}
+    return batch.question_of(as_bytes(grasp_file), as_bytes(certificate_file), options)
 
 
 def in_batch(program, grasp_file, certificate_file, options):
     """The report of a checker that answers line by line."""
-    process = batch_process(*program)
-    process.stdin.write(json.dumps(question_of(grasp_file, certificate_file, options)) + "\n")
-    process.stdin.flush()
-    return json.loads(process.stdout.readline())
+    return batch.in_batch(program, question_of(grasp_file, certificate_file, options))
 
 
 class Case(unittest.TestCase):

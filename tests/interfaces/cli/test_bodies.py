@@ -13,8 +13,8 @@ from fractions import Fraction as F
 import numpy as np
 from bodies_newton import equilibria
 from bodies_smt import statics
-from test_cli import HERE, SANITIZED, run, stickslip
-from test_space import Z3, Space, quick_checker
+from test_cli import HERE, SANITIZED, quick_checker, run, stickslip
+from test_space import Z3, Space
 
 ROOT = os.path.join(HERE, "..", "..", "..")
 

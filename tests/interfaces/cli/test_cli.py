@@ -27,6 +27,8 @@ SANITIZED = os.environ.get("STICKSLIP_SANITIZED") == "yes"  # then programs take
 UP = ("--wrench", "0,11/10,0")  # unstable
 
 sys.path.append(os.path.join(HERE, "..", "..", "support"))
+import batch  # noqa: E402
+import check  # noqa: E402
 from in_process import in_process  # noqa: E402
 
 DONE, BAD_INPUT, UNDECIDED, STABLE, UNSTABLE = 0, 2, 3, 10, 20
@@ -51,12 +53,33 @@ def checkers(proof):
     return [[CHECK], [sys.executable, "-B", CHECK_PY], *([[PROVED]] if PROVED else [])]
 
 
+def quick_checker(_):
+    """Of a proof whose numbers have all digits of doubles: the others take ten times as long, or a hundred times."""
+    return [[CHECK]]
+
+
+def report_of(checker, file, proof, words):
+    """What a checker says of a certificate, and the text that check.py prints of it. None is started for one question alone:
+    that their command lines say the same is for tests/rules."""
+    if checker[0] == sys.executable:
+        if hasattr(sys, "set_int_max_str_digits"):  # as check.main does
+            sys.set_int_max_str_digits(0)
+        return check.answer(check.parse_arguments([str(file), str(proof), *map(str, words)]))[:2]
+    contents = []
+    for path in (file, proof):
+        with open(path, "rb") as stream:
+            contents.append(stream.read())
+    return batch.in_batch(checker, batch.question_of(*contents, words)), ""
+
+
 def read(path):
     with open(path, encoding="utf-8") as file:
         return file.read()
 
 
 class Case(unittest.TestCase):
+    judges = staticmethod(checkers)  # of proofs
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -83,11 +106,16 @@ class Case(unittest.TestCase):
         return err
 
     def accepted(self, file, proof, *words, verdict=""):
-        """By all that have to judge it."""
-        for checker in checkers(proof):
-            code, out, err = run(*checker, file, proof, *words)
-            self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
-            self.assertRegex(out, rf"\n(verdict +)?{verdict}")
+        """By all that have to judge it, which say the same. `verdict` is what check.py prints."""
+        reports = []
+        for checker in self.judges(proof):
+            report, text = report_of(checker, file, proof, words)
+            self.assertEqual(report["result"], "accepted", (checker, report))
+            if text:
+                self.assertRegex(text, rf"\n(verdict +)?{verdict}")
+            reports.append(report)
+        self.assertEqual(reports, reports[:1] * len(reports))
+        return reports[0]
 
 
 class Decide(Case):

@@ -12,7 +12,7 @@ import numpy as np
 
 from space_smt import smt
 from test_box import FRAGILE
-from test_cli import (CHECK, CORPUS, DONE, STABLE, UNDECIDED, UNSTABLE, Case, checkers, read,
+from test_cli import (CORPUS, DONE, STABLE, UNDECIDED, UNSTABLE, Case, checkers, quick_checker, read,
                       run, stickslip)
 
 Z3 = os.environ.get("Z3", "z3")
@@ -44,11 +44,6 @@ def about(value, part):
             F(value * (1 + part)).limit_denominator(10**6)]
 
 
-def quick_checker(_):
-    """Of a proof whose numbers have all digits of doubles: the others take ten times as long, or a hundred times."""
-    return [[CHECK]]
-
-
 class Export(Case):
     def test_pinch(self):
         pinch = os.path.join(EXAMPLES, "space-pinch.json")
@@ -60,7 +55,6 @@ class Export(Case):
 
 
 class Space(Case):
-    judges = staticmethod(checkers)  # of proofs
     engine = "space"
 
     def decide(self, content, *words):
@@ -79,10 +73,7 @@ class Space(Case):
         return answer
 
     def assert_accepted(self, verdict, file, proof, *words):
-        for checker in self.judges(proof):
-            code, out, err = run(*checker, file, proof, *words)
-            self.assertEqual(code, 0, out + err)
-            self.assertRegex(out, rf"verdict +{verdict}\b")
+        self.assertEqual(self.accepted(file, proof, *words, verdict=rf"{verdict}\b")["verdict"], verdict)
 
     def verdict(self, *words):
         return self.decide(*words)["verdict"]
@@ -598,9 +589,7 @@ class Margins(Space):
             words = ("--direction", ",".join(str(w) for w in wrench))
             proof = self.path("m.json")
             known = self.json("margin", file, *words, "--certificate", proof)
-            for checker in self.judges(proof):
-                code, out, err = run(*checker, file, proof, *words)
-                self.assertEqual(code, 0, out + err)
+            self.accepted(file, proof, *words)
             (low, end), = known["resisted"]
             (begin, beyond), = known["refuted"]
             self.assertEqual((F(low), beyond), (0, None))

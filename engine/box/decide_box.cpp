@@ -50,16 +50,15 @@ class ExampleSearch {
   }
 
   /// Tries corners at which Newton's method finds no equilibrium, where that of the middle has
-  /// one.
-  void try_lost_corners() {
+  /// one: of so many descents, and of so many corners at random.
+  void try_lost_corners(std::size_t descents, std::size_t corners) {
     constexpr std::size_t kStarts = 12;
     const RoundedGrasp middle = rounded_middle(GraspLaw(box_, law_).middle());
     const std::optional<NearEquilibrium> near = Newton(middle).solve_thoroughly(kStarts);
     if (!near) return;
-    constexpr std::size_t kCorners = 64;
     constexpr std::size_t kMostDecided = 8;
     std::size_t tried = 0;
-    examples_.visit_lost_corners(*near, kCorners, [&](const Place& place) {
+    examples_.visit_lost_corners(*near, descents, corners, [&](const Place& place) {
       if (tried == 0) try_at(examples_.at(examples_.middle()));
       if (!stable_) return false;
       try_at(examples_.at(place));
@@ -202,7 +201,8 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& 
       decision.work = work;
       return decision;
     }
-    examples.try_lost_corners();
+    constexpr std::size_t kCorners = 64;
+    examples.try_lost_corners(1, kCorners);
     if (auto fragile = examples.found()) return {std::move(*fragile), work};
   }
   constexpr std::size_t kMostParts = 32;
@@ -216,7 +216,11 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& 
       break;
     }
     if (std::holds_alternative<Undecided>(decision.verdict)) {
-      if (most_parts == 0) examples.try_suspects();
+      if (most_parts == 0) {
+        constexpr std::size_t kDescents = 4;
+        examples.try_suspects();
+        if (!examples.found()) examples.try_lost_corners(kDescents, 0);
+      }
       for (const auto& parts : suspects) {
         if (parts) examples.try_between(*parts);
       }

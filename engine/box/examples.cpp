@@ -7,6 +7,7 @@
 
 #include "engine/degree/moving_equilibrium.hpp"
 #include "engine/degree/smooth_newton.hpp"
+#include "engine/degree/weakest_corners.hpp"
 #include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 
@@ -282,22 +283,27 @@ Place Examples::place_at(const RoundedBox& rounded, const RoundedBox::Place& at)
   return place;
 }
 
-void Examples::visit_lost_corners(const NearEquilibrium& equilibrium, std::size_t count,
+void Examples::visit_lost_corners(const NearEquilibrium& equilibrium, std::size_t descents,
+                                  std::size_t count,
                                   const std::function<bool(const Place&)>& visit) const {
   const GraspLaw law(box_, law_);
   const RoundedBox rounded(law);
-  RandomCorners corners(rounded);
-  for (std::size_t corner = 0; corner < count; ++corner) {
+  const auto is_lost = [&](const RoundedBox::Place& at) {
     throw_if_cancelled();
-    const RoundedBox::Place at = corners.next();
     const RoundedGrasp grasp = rounded.at(at);
     const Newton newton(grasp);
     constexpr std::size_t kStarts = 12;
-    if (newton.follow(equilibrium) || SmoothNewton(grasp).follow(equilibrium.motion) ||
-        newton.solve_thoroughly(kStarts)) {
-      continue;
-    }
-    if (!visit(place_at(rounded, at))) return;
+    return !newton.follow(equilibrium) && !SmoothNewton(grasp).follow(equilibrium.motion) &&
+           !newton.solve_thoroughly(kStarts);
+  };
+  for (const WeakCorner& corner : weakest_corners(rounded, equilibrium, descents)) {
+    if (!(corner.multiple < 1)) break;
+    if (is_lost(corner.at) && !visit(place_at(rounded, corner.at))) return;
+  }
+  RandomCorners corners(rounded);
+  for (std::size_t corner = 0; corner < count; ++corner) {
+    const RoundedBox::Place at = corners.next();
+    if (is_lost(at) && !visit(place_at(rounded, at))) return;
   }
 }
 

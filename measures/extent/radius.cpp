@@ -105,6 +105,10 @@ class RadiusSearch {
     if (result_.is_on_threshold()) return result_;
     prove(0);
     if (effort_.cuts_boxes) prove(kMostParts);
+    if (effort_.decides_singles && is_much_open() && options_.box.node_limit == 0) {
+      options_.box.node_limit = kPatience * effort_.nodes;
+      prove(0);
+    }
     return result_;
   }
 
@@ -133,6 +137,8 @@ class RadiusSearch {
 
  private:
   static constexpr std::size_t kMostParts = 16;
+  /// How many times as many nodes a proof may take where much is open without them.
+  static constexpr std::size_t kPatience = 4;
   /// So many loads that are held are decided before others are tried.
   static constexpr std::size_t kMostHeld = 4;
 
@@ -150,6 +156,7 @@ class RadiusSearch {
         example_place_ = Examples(box, law_).place_of(*result_.example).value_or(Place());
         report();
         if (!example_place_.empty()) close_in(example_place_, 0, factor);
+        flip_ends();
         factor = *result_.refuted * Rational(1, 16);
         continue;
       }
@@ -196,6 +203,26 @@ class RadiusSearch {
       suspect(std::min(Rational(1), result_.limit));
     }
     try_all_corners();
+    flip_ends();
+  }
+
+  /// Moves one number of the counterexample at a time to another end, while that brings it
+  /// nearer.
+  void flip_ends() {
+    if (!effort_.decides_singles || example_place_.empty()) return;
+    constexpr int kMostRounds = 4;
+    bool found = true;
+    for (int round = 0; found && round < kMostRounds; ++round) {
+      found = false;
+      for (std::size_t n = 0; n < example_place_.size(); ++n) {
+        Place place = example_place_;
+        place[n] = place[n].sign() > 0 ? -1 : 1;
+        const Rational near = bound() * (1 - options_.accuracy / 4);
+        if (!differs(place, near)) continue;
+        close_in(place, 0, near);
+        found = true;
+      }
+    }
   }
 
   /// Follows an equilibrium of the centre to where it is lost.
@@ -457,6 +484,8 @@ class RadiusSearch {
   /// Returns the factor from which on no factor is of interest.
   Rational bound() const { return result_.refuted ? *result_.refuted : result_.limit; }
 
+  bool is_much_open() const { return 3 * result_.proved < 2 * bound(); }
+
   bool try_to_prove(const Rational& factor, std::size_t parts) {
     BoxDecision decision = prove_box(box_.scaled(centre_, factor), law_, options_.box, parts);
     if (is_stable(decision.verdict) != result_.stable) return false;
@@ -483,11 +512,11 @@ class RadiusSearch {
       if (is_first && high == bound() && try_to_prove(short_middle(near, high), parts)) return;
       // A smaller box may have no proof though a larger one has. While much is open that is
       // worth the tries.
-      const bool is_much_open = 3 * result_.proved < 2 * bound() && !seeks_size();
+      const bool retries = is_much_open() && !seeks_size();
       Rational least_failed = high;
       for (const int percent : {95, 90, 80, 65}) {
         const Rational below = bound() * Rational(percent, 100);
-        if (!is_much_open || below <= result_.proved) break;
+        if (!retries || below <= result_.proved) break;
         const Rational factor = short_middle(below, bound() * Rational(percent + 1, 100));
         if (try_to_prove(factor, parts)) {
           if (!effort_.retries) high = least_failed;
@@ -525,7 +554,7 @@ class RadiusSearch {
   const GraspBox& centre_;
   const GraspBox& box_;
   NormalLaw law_;
-  const RadiusOptions& options_;
+  RadiusOptions options_;
   const std::function<void(const Radius&)>& progress_;
   Effort effort_;
   Radius result_;

@@ -65,6 +65,17 @@ class Radius(Case):
         found = Fraction(answer["counterexample"]["contacts"][2]["friction"])
         self.assertEqual(found, Fraction(2, 5) + refuted / 5)
 
+    def test_a_counterexample_is_brought_nearer_number_by_number(self):
+        # The corner that margins propose differs at 6.8 times the tolerances, and a neighbour of it at 2.5 times.
+        grasp = self.write("g.json", {"format": "stickslip-grasp/2", "wrench": ["1/5", "-2/5", -1], "contacts": [
+            {"position": [x, y], "normal": ["-" + x if x[0] != "-" else x[1:], "-" + y if y[0] != "-" else y[1:]],
+             "friction": friction, "stiffness": stiffness, "preload": preload}
+            for x, y, friction, stiffness, preload in (
+                ("15/17", "8/17", "9/10", 2, "1/2"), ("-5/13", "-12/13", "3/10", 2, 2), ("15/17", "8/17", "3/5", 3, 2))]})
+        answer, _ = self.radius(grasp, "--uncertain", "friction=10%,stiffness=10%,preload=5%,position=0.01,normal=0.0175,wrench=2%",
+                                "--accuracy", "1%")
+        self.assertLess(Fraction(answer["refuted"]), Fraction(21, 20) * Fraction(answer["proved"]))
+
     def test_unstable_centre(self):
         grasp = self.write("g.json", with_friction(between("3/5", "3/5")))
         answer, proved = self.radius(grasp, "--uncertain", "friction=10%")

@@ -78,10 +78,13 @@ std::vector<WeakCorner> weakest_corners(const RoundedBox& box, const NearEquilib
   if (box.load_at(box.middle()).isZero(0)) return corners;
   const Descent descent(box, middle);
   RandomCorners random(box);
-  constexpr int kSteps = 3;
+  // A step asks twice for each number; of many numbers a descent takes too long.
+  constexpr std::size_t kMostAsked = 256;
+  const std::size_t steps = std::min<std::size_t>(
+      3, kMostAsked / (2 * std::max<std::size_t>(box.numbers().size(), 1)));
   for (std::size_t start = 0; start < descents; ++start) {
     RoundedBox::Place place = start == 0 ? box.middle() : random.next();
-    for (int step = 0; step < kSteps; ++step) {
+    for (std::size_t step = 0; step < steps; ++step) {
       RoundedBox::Place to = descent.below(place);
       if (to == place) break;
       place = std::move(to);

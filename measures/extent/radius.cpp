@@ -484,6 +484,7 @@ class RadiusSearch {
   /// Returns the factor from which on no factor is of interest.
   Rational bound() const { return result_.refuted ? *result_.refuted : result_.limit; }
 
+  /// Returns whether what is proved is far from what is refuted.
   bool is_much_open() const { return 3 * result_.proved < 2 * bound(); }
 
   bool try_to_prove(const Rational& factor, std::size_t parts) {
@@ -512,11 +513,11 @@ class RadiusSearch {
       if (is_first && high == bound() && try_to_prove(short_middle(near, high), parts)) return;
       // A smaller box may have no proof though a larger one has. While much is open that is
       // worth the tries.
-      const bool retries = is_much_open() && !seeks_size();
+      const bool is_worth_tries = is_much_open() && !seeks_size();
       Rational least_failed = high;
       for (const int percent : {95, 90, 80, 65}) {
         const Rational below = bound() * Rational(percent, 100);
-        if (!retries || below <= result_.proved) break;
+        if (!is_worth_tries || below <= result_.proved) break;
         const Rational factor = short_middle(below, bound() * Rational(percent + 1, 100));
         if (try_to_prove(factor, parts)) {
           if (!effort_.retries) high = least_failed;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "box_cases.hpp"
 
+#include <utility>
+
 #include "stickslip/engine/decide_problem.hpp"
 #include "stickslip/measures/margin.hpp"
 
@@ -148,6 +150,24 @@ bool lies_in(const LoadedGrasp& grasp, const GraspBox& box) {
              abs(across) <= c.slope * along;
   }
   return inside;
+}
+
+GraspBox two_pads(const Interval& preload, WrenchBox load) {
+  GraspBox box;
+  for (const int side : {-1, 1}) {
+    UncertainContact c;
+    c.position = {point_interval(side), point_interval(0)};
+    c.normal = {-side, 0};
+    if (load.size() == 6) {
+      c.position.push_back(point_interval(0));
+      c.normal.emplace_back(0);
+    }
+    c.friction = {Rational(2, 5), Rational(3, 5)};
+    c.preload = preload;
+    box.contacts.push_back(c);
+  }
+  box.wrench = std::move(load);
+  return box;
 }
 
 std::string verdict_of(const LoadedGrasp& grasp, NormalLaw law) {

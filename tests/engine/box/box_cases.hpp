@@ -39,6 +39,9 @@ enum class Uncertain {
 /// direction (kLengths: any small load).
 BoxCase random_box(RandomSource& random, Uncertain uncertain);
 
+/// At the left and the right of a body, with friction of 2/5 to 3/5; in space if the load is.
+GraspBox two_pads(const Interval& preload, WrenchBox load);
+
 /// The file of a box with all of its intervals in it.
 std::string file_of(const GraspBox& box);
 

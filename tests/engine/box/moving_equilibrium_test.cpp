@@ -8,43 +8,26 @@
 #include <cmath>
 #include <utility>
 
+#include "box_cases.hpp"
 #include "engine/degree/prove_stable.hpp"
 #include "stickslip/engine/grasp_law.hpp"
 
 namespace stickslip {
 namespace {
 
-/// At the left and the right of a body, with friction of 2/5 to 3/5.
-GraspBox two_pads(const Interval& preload, WrenchBox load) {
-  GraspBox box;
-  for (const int side : {-1, 1}) {
-    UncertainContact c;
-    c.position = {point_interval(side), point_interval(0)};
-    c.normal = {-side, 0};
-    c.friction = {Rational(2, 5), Rational(3, 5)};
-    c.preload = preload;
-    box.contacts.push_back(c);
-  }
-  box.wrench = std::move(load);
-  return box;
-}
+using test::two_pads;
 
 // Two pads press from the left and the right, with 1, and carry a weight of 1/2: nothing moves,
 // and each of them has half of the load. They let go where 1/4 (1 + s) is all that there may
 // be, 1/2 (1 - s/5) (1 - s/10): at this part s of the way to less friction, less preload and
 // more load.
 TEST(MovingEquilibrium, ALoadThatMovesNothingIsLostWhereFrictionEnds) {
-  GraspBox box = two_pads({Rational(9, 10), Rational(11, 10)}, {{}, {-1, 0}, {}});
-  box.check();
   const double expected = (0.8 - std::sqrt(0.6)) / 0.04;
   for (const bool in_space : {false, true}) {
-    if (in_space) {
-      for (UncertainContact& c : box.contacts) {
-        c.position.push_back(point_interval(0));
-        c.normal.emplace_back(0);
-      }
-      box.wrench = {{}, {-1, 0}, {}, {}, {}, {}};
-    }
+    WrenchBox load{{}, {-1, 0}, {}};
+    if (in_space) load.resize(6);
+    const GraspBox box = two_pads({Rational(9, 10), Rational(11, 10)}, load);
+    box.check();
     const GraspLaw law(box, NormalLaw::kUnilateral);
     const RoundedBox rounded(law);
     const std::vector<NearEquilibrium> found =

@@ -4,38 +4,24 @@
 
 #include <gtest/gtest.h>
 
+#include "box_cases.hpp"
 #include "engine/degree/newton.hpp"
 #include "stickslip/engine/grasp_law.hpp"
 
 namespace stickslip {
 namespace {
 
-/// Two pads that press from the left and the right, with 9/10 to 11/10 and friction of 2/5 to
-/// 3/5.
-GraspBox two_pads(bool in_space, const Rational& weight) {
-  GraspBox box;
-  for (const int side : {-1, 1}) {
-    UncertainContact c;
-    c.position = {point_interval(side), point_interval(0)};
-    c.normal = {-side, 0};
-    c.friction = {Rational(2, 5), Rational(3, 5)};
-    c.preload = {Rational(9, 10), Rational(11, 10)};
-    if (in_space) {
-      c.position.push_back(point_interval(0));
-      c.normal.emplace_back(0);
-    }
-    box.contacts.push_back(c);
-  }
-  box.wrench = WrenchBox(in_space ? 6 : 3);
-  box.wrench[1] = point_interval(-weight);
-  box.check();
-  return box;
+/// They press with 9/10 to 11/10.
+GraspBox loaded_pads(bool in_space, const Rational& weight) {
+  WrenchBox load(in_space ? 6 : 3);
+  load[1] = point_interval(-weight);
+  return test::two_pads({Rational(9, 10), Rational(11, 10)}, load);
 }
 
 // The weight is held up to mu P of each pad: 2 * 2/5 * 9/10 of 3/4 where both are least.
 TEST(WeakestCorners, AreThoseOfTheLeastFrictionAndPreload) {
   for (const bool in_space : {false, true}) {
-    const GraspBox box = two_pads(in_space, Rational(3, 4));
+    const GraspBox box = loaded_pads(in_space, Rational(3, 4));
     const GraspLaw law(box, NormalLaw::kUnilateral);
     const RoundedBox rounded(law);
     const auto middle = Newton(rounded.at(rounded.middle())).solve_thoroughly(3);
@@ -55,7 +41,7 @@ TEST(WeakestCorners, AreThoseOfTheLeastFrictionAndPreload) {
 }
 
 TEST(WeakestCorners, ThereAreNoneWithoutALoad) {
-  const GraspBox box = two_pads(false, 0);
+  const GraspBox box = loaded_pads(false, 0);
   const GraspLaw law(box, NormalLaw::kUnilateral);
   const RoundedBox rounded(law);
   const auto middle = Newton(rounded.at(rounded.middle())).solve_thoroughly(3);

@@ -61,8 +61,18 @@ BoxProver::BoxProver(GraspLaw box, const ProverLimits& limits, SearchWork& work)
       work_(work),
       last_node_(work.nodes + limits.most_nodes) {}
 
-std::optional<std::variant<Stable, Unstable>> BoxProver::prove() {
-  if (!prove(whole_)) return std::nullopt;
+std::optional<BoxProver::Verdict> BoxProver::prove() {
+  if (!prove(whole_, middle_)) return std::nullopt;
+  return verdict();
+}
+
+std::optional<BoxProver::Verdict> BoxProver::prove_in_parts(std::size_t most_parts) {
+  limits_.most_parts = most_parts;
+  if (!prove_halves(whole_, middle_)) return std::nullopt;
+  return verdict();
+}
+
+BoxProver::Verdict BoxProver::verdict() {
   if (witness_) return Stable{std::move(*witness_), motion_};
   if (*stable_) return Stable{std::move(parts_), motion_};
   return Unstable{std::move(tree_)};
@@ -275,20 +285,25 @@ bool BoxProver::refute_near_first(const GraspLaw& box, LawSearch& near) {
   return true;
 }
 
-bool BoxProver::prove(const GraspLaw& box) {
-  std::optional<NearEquilibrium> near;
-  const bool done = prove_whole(box, near);
-  if (limits_.is_wide) suspects_[near ? 0 : 1] = place_of(box);
-  if (done) return true;
+bool BoxProver::prove(const GraspLaw& box, std::optional<NearEquilibrium>& middle) {
+  const bool done = prove_whole(box, middle);
+  if (limits_.is_wide) suspects_[middle ? 0 : 1] = place_of(box);
+  return done || prove_halves(box, middle);
+}
+
+bool BoxProver::prove_halves(const GraspLaw& box,
+                             const std::optional<NearEquilibrium>& middle) {
   if (suspects_[0] && suspects_[1]) return false;
   if (limits_.most_parts == 0 || work_.nodes > last_node_) return false;
   --limits_.most_parts;
-  const auto cut = widest(box, near);
+  const auto cut = widest(box, middle);
   if (!cut) return false;
   parts_.emplace_back(*cut);
   tree_.emplace_back(*cut);
   const auto [low, high] = box.halves(*cut);
-  return prove(low) && prove(high);
+  std::optional<NearEquilibrium> middle_of_low;
+  std::optional<NearEquilibrium> middle_of_high;
+  return prove(low, middle_of_low) && prove(high, middle_of_high);
 }
 
 RationalRow BoxProver::place_of(const GraspLaw& part) const {

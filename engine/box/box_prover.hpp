@@ -40,11 +40,17 @@ class BoxProver {
   /// not decide. The box must be one grasp, all of whose lengths are rational.
   void try_exact_equilibria() { is_exact_ = true; }
 
+  using Verdict = std::variant<Stable, Unstable>;  ///< what may be proved
+
   /// Returns the verdict, or nothing if there is no proof.
-  std::optional<std::variant<Stable, Unstable>> prove();
-  /// Returns why prove() failed.
+  std::optional<Verdict> prove();
+  /// Goes on where prove() failed: cuts the box, at most so many times.
+  std::optional<Verdict> prove_in_parts(std::size_t most_parts);
+  /// Returns an equilibrium of the middle, in doubles, if prove() found one.
+  const std::optional<NearEquilibrium>& middle() const { return middle_; }
+  /// Returns why there is no proof.
   SearchReport report() const;
-  /// Returns, if prove() failed, a tree that refutes all motions within natural_bound(box,
+  /// Returns, if there is no proof, a tree that refutes all motions within natural_bound(box,
   /// kFarMotion), for a question with that bound; or nothing.
   const std::optional<Trees>& near_tree() const { return near_tree_; }
   /// Returns where the middles of parts lie that seem to be stable, and unstable: a number from
@@ -52,7 +58,9 @@ class BoxProver {
   const std::array<std::optional<RationalRow>, 2>& suspects() const { return suspects_; }
 
  private:
-  bool prove(const GraspLaw& box);
+  Verdict verdict();
+  bool prove(const GraspLaw& box, std::optional<NearEquilibrium>& middle);
+  bool prove_halves(const GraspLaw& box, const std::optional<NearEquilibrium>& middle);
   bool prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>& middle);
   bool prove_exactly(const GraspLaw& box, const NearEquilibrium& near);
   bool prove_near(const GraspLaw& box, const GraspLaw& middle, const NearEquilibrium& near);
@@ -62,6 +70,7 @@ class BoxProver {
   RationalRow place_of(const GraspLaw& part) const;
 
   GraspLaw whole_;
+  std::optional<NearEquilibrium> middle_;
   ProverLimits limits_;
   SearchWork& work_;
   std::size_t last_node_;  ///< the count of nodes at which all work ends

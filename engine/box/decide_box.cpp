@@ -49,21 +49,23 @@ class ExampleSearch {
     }
   }
 
-  /// Tries corners at which Newton's method finds no equilibrium, where that of the middle has
-  /// one: of so many descents, and of so many corners at random.
-  void try_lost_corners(std::size_t descents, std::size_t corners) {
+  /// Tries corners at which Newton's method finds no equilibrium, though it has one of the
+  /// middle: this, if it is known.
+  void try_lost_corners(std::optional<NearEquilibrium> near) {
     constexpr std::size_t kStarts = 12;
     const RoundedGrasp middle = rounded_middle(GraspLaw(box_, law_).middle());
-    const std::optional<NearEquilibrium> near = Newton(middle).solve_thoroughly(kStarts);
+    if (!near) near = Newton(middle).solve_thoroughly(kStarts);
     if (!near) return;
-    constexpr std::size_t kMostDecided = 8;
-    std::size_t tried = 0;
-    examples_.visit_lost_corners(*near, descents, corners, [&](const Place& place) {
-      if (tried == 0) try_at(examples_.at(examples_.middle()));
-      if (!stable_) return false;
-      try_at(examples_.at(place));
-      return !unstable_ && ++tried < kMostDecided;
-    });
+    constexpr int kMost = 8;
+    int tried = 0;
+    const auto try_place = [&](const Place& place) {
+      if (!stable_) try_at(examples_.at(examples_.middle()));
+      if (stable_) try_at(examples_.at(place));
+      return stable_ && !unstable_ && ++tried < kMost;
+    };
+    examples_.visit_weak_corners(*near, try_place);
+    tried = 0;
+    if (!unstable_) examples_.visit_random_corners(*near, try_place);
   }
 
   /// Tries the grasp at these parts of the way from low to high of each parameter.
@@ -97,31 +99,50 @@ class ExampleSearch {
 };
 
 /// Returns the limits of a search for a proof.
-ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
-                       std::size_t most_parts, bool is_quick) {
+ProverLimits limits_of(const GraspBox& box, const SearchOptions& options) {
   const Effort effort = effort_for(box);
   ProverLimits limits{};
   limits.is_wide = !box.is_point();
   limits.rest_first = effort.rest_first;
-  const std::size_t nodes = options.node_limit == 0 ? effort.nodes : options.node_limit;
-  if (is_quick) {
-    limits.node_limit = std::min(nodes, effort.quick_nodes);
-    limits.most_nodes = effort.quick_nodes;
-    limits.is_default = true;
-    return limits;
-  }
-  limits.node_limit = nodes;
-  limits.wall_limit = std::max<std::size_t>(nodes / effort.walls, 1);
-  limits.most_nodes = effort.trees * nodes;
-  limits.most_parts = most_parts;
+  limits.node_limit = options.node_limit == 0 ? effort.nodes : options.node_limit;
+  limits.wall_limit = std::max<std::size_t>(limits.node_limit / effort.walls, 1);
+  limits.most_nodes = effort.trees * limits.node_limit;
   limits.is_default = options.node_limit == 0;
   return limits;
 }
 
-/// Returns a proof or none; `suspects` gets the places where parts seem to differ.
+/// Returns the limits of a search for a proof that takes little.
+ProverLimits quick_limits_of(const GraspBox& box, const SearchOptions& options) {
+  ProverLimits limits = limits_of(box, options);
+  limits.most_nodes = effort_for(box).quick_nodes;
+  limits.node_limit = std::min(limits.node_limit, limits.most_nodes);
+  limits.wall_limit = 0;
+  limits.is_default = true;
+  return limits;
+}
+
+/// Sets what a search for a proof has found.
+void settle(BoxDecision& decision, std::optional<BoxProver::Verdict> verdict,
+            const BoxProver& prover, const GraspBox& box) {
+  decision.within.reset();
+  if (verdict) {
+    std::visit([&](auto& known) { decision.verdict = std::move(known); }, *verdict);
+    return;
+  }
+  Undecided undecided = undecided_by(prover.report());
+  if (box.is_point() && needs_enclosure(box) &&
+      (undecided.reason == "degree" || undecided.reason == "free")) {
+    undecided.remedy =
+        "give the preloaded contacts normals of rational length, as stickslip snap does: "
+        "then equilibria are found exactly, also where they lie side by side";
+  }
+  decision.verdict = std::move(undecided);
+  if (const auto& tree = prover.near_tree()) decision.within = Unstable{*tree};
+}
+
+/// Returns a proof or none, without a search for counterexamples.
 BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& options,
-                  std::size_t most_parts, std::array<std::optional<RationalRow>, 2>& suspects,
-                  bool is_quick = false) {
+                  const ProverLimits& limits) {
   BoxDecision decision{Undecided{}};
   const Effort effort = effort_for(box);
   const bool may_refine = box.is_point() && effort.may_refine;
@@ -129,25 +150,11 @@ BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& optio
       box.is_point() && !needs_enclosure(box) && box.contacts.size() <= effort.exact_contacts;
   for (unsigned bits = options.bits;; bits *= 2) {
     decision.bits = bits;
-    BoxProver prover(GraspLaw(box, law, bits), limits_of(box, options, most_parts, is_quick),
-                     decision.work);
+    BoxProver prover(GraspLaw(box, law, bits), limits, decision.work);
     if (tries_exactly) prover.try_exact_equilibria();
-    if (auto verdict = prover.prove()) {
-      std::visit([&](auto& known) { decision.verdict = std::move(known); }, *verdict);
-      return decision;
-    }
-    Undecided undecided = undecided_by(prover.report());
-    if (box.is_point() && needs_enclosure(box) &&
-        (undecided.reason == "degree" || undecided.reason == "free")) {
-      undecided.remedy =
-          "give the preloaded contacts normals of rational length, as stickslip snap does: "
-          "then equilibria are found exactly, also where they lie side by side";
-    }
-    decision.verdict = std::move(undecided);
-    decision.within.reset();
-    if (const auto& tree = prover.near_tree()) decision.within = Unstable{*tree};
-    suspects = prover.suspects();
-    if (!may_refine || 2 * bits > options.most_bits) return decision;
+    settle(decision, prover.prove(), prover, box);
+    const bool is_open = std::holds_alternative<Undecided>(decision.verdict);
+    if (!is_open || !may_refine || 2 * bits > options.most_bits) return decision;
   }
 }
 
@@ -157,8 +164,9 @@ namespace box_detail {
 
 BoxDecision prove_box(const GraspBox& box, NormalLaw law, const SearchOptions& options,
                       std::size_t most_parts) {
-  std::array<std::optional<RationalRow>, 2> suspects;
-  return prove(box, law, options, most_parts, suspects);
+  ProverLimits limits = limits_of(box, options);
+  limits.most_parts = most_parts;
+  return prove(box, law, options, limits);
 }
 
 }  // namespace box_detail
@@ -191,44 +199,42 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& 
   }
   SearchWork work;
   ExampleSearch examples(box, law, options, work);
-  BoxDecision decision{Undecided{}};
+  const GraspLaw box_law(box, law, options.bits);
   if (effort_for(box).quick_nodes > 0) {
     // Proofs that take long are sought only where no counterexample lies at hand.
-    std::array<std::optional<RationalRow>, 2> unused;
-    decision = prove(box, law, options, 0, unused, true);
-    work += decision.work;
-    if (!std::holds_alternative<Undecided>(decision.verdict)) {
-      decision.work = work;
-      return decision;
-    }
-    constexpr std::size_t kCorners = 64;
-    examples.try_lost_corners(1, kCorners);
+    BoxDecision quick{Undecided{}};
+    quick.bits = options.bits;
+    BoxProver prover(box_law, quick_limits_of(box, options), quick.work);
+    settle(quick, prover.prove(), prover, box);
+    if (!std::holds_alternative<Undecided>(quick.verdict)) return quick;
+    work += quick.work;
+    examples.try_lost_corners(prover.middle());
     if (auto fragile = examples.found()) return {std::move(*fragile), work};
   }
-  constexpr std::size_t kMostParts = 32;
-  for (const std::size_t most_parts : {std::size_t{0}, kMostParts}) {
-    std::array<std::optional<RationalRow>, 2> suspects;
-    decision = prove(box, law, options, most_parts, suspects);
-    work += decision.work;
-    // Neither examples nor parts say more where only far motions are left.
-    if (decision.within) {
-      decision.work = work;
-      break;
+  BoxDecision decision{Undecided{}};
+  decision.bits = options.bits;
+  BoxProver prover(box_law, limits_of(box, options), decision.work);
+  settle(decision, prover.prove(), prover, box);
+  // Neither examples nor parts say more where only far motions are left.
+  const auto is_open = [&] {
+    return std::holds_alternative<Undecided>(decision.verdict) && !decision.within;
+  };
+  const auto try_parts = [&] {
+    for (const auto& parts : prover.suspects()) {
+      if (parts) examples.try_between(*parts);
     }
-    if (std::holds_alternative<Undecided>(decision.verdict)) {
-      if (most_parts == 0) {
-        constexpr std::size_t kDescents = 4;
-        examples.try_suspects();
-        if (!examples.found()) examples.try_lost_corners(kDescents, 0);
-      }
-      for (const auto& parts : suspects) {
-        if (parts) examples.try_between(*parts);
-      }
-      if (auto fragile = examples.found()) decision.verdict = std::move(*fragile);
-    }
-    decision.work = work;
-    if (!std::holds_alternative<Undecided>(decision.verdict)) break;
+    if (auto fragile = examples.found()) decision.verdict = std::move(*fragile);
+  };
+  if (is_open()) {
+    examples.try_suspects();
+    try_parts();
   }
+  if (is_open()) {
+    constexpr std::size_t kMostParts = 32;
+    settle(decision, prover.prove_in_parts(kMostParts), prover, box);
+    if (is_open()) try_parts();
+  }
+  decision.work += work;
   return decision;
 }
 

@@ -28,6 +28,16 @@ Rational on_grid(double place) {
   return {Integer(std::llround(place * kSteps)), Integer(kSteps)};
 }
 
+/// Returns whether Newton's method finds no equilibrium, neither from this one of another grasp
+/// nor from others.
+bool is_lost(const RoundedGrasp& grasp, const NearEquilibrium& equilibrium) {
+  throw_if_cancelled();
+  constexpr std::size_t kStarts = 12;
+  const Newton newton(grasp);
+  return !newton.follow(equilibrium) && !SmoothNewton(grasp).follow(equilibrium.motion) &&
+         !newton.solve_thoroughly(kStarts);
+}
+
 /// The factor of bounds of turns, which are rounded up: with it no slope is above its own.
 const Rational kWithin(1048575, 1048576);
 
@@ -48,17 +58,20 @@ Rational with_rational_length(const Rational& e) {
 }
 
 /// Returns n turned, each way by a part of the most, from -1 to 1. In the plane it has a
-/// rational length where that of n is and matters. In space it need not; but a normal that is
-/// turned both ways by all that each may be would be turned by more than the slope.
+/// rational length where that of n is and matters. In space it need not; but what is turned
+/// both ways by all that each may be would be turned by more than the slope, and comes back to
+/// it.
 RationalRow turned_normal(const UncertainContact& c, const RationalRow& parts) {
   const std::vector<Turn> turns = turns_of(c);
   RationalRow e;
   for (std::size_t k = 0; k < turns.size(); ++k) e.push_back(parts[k] * turns[k].most);
   const bool keeps_length = !c.preload.high.is_zero() && exact_sqrt(dot(c.normal, c.normal));
   if (e.size() == 1 && keeps_length) e[0] = with_rational_length(e[0]);
-  const bool is_far = dot(parts, parts) > 1;
-  for (Rational& entry : e) {
-    if (e.size() > 1) entry *= is_far ? Rational(7, 10) : kWithin;
+  if (e.size() > 1) {
+    constexpr int kGrain = 1 << 20;
+    const double size = std::max(1.0, std::sqrt(to_double(dot(parts, parts))));
+    const Rational inwards(static_cast<int>(kGrain / size), kGrain);
+    for (Rational& entry : e) entry *= kWithin * inwards;
   }
   return turned(c.normal, turns, e);
 }
@@ -283,27 +296,27 @@ Place Examples::place_at(const RoundedBox& rounded, const RoundedBox::Place& at)
   return place;
 }
 
-void Examples::visit_lost_corners(const NearEquilibrium& equilibrium, std::size_t descents,
-                                  std::size_t count,
+void Examples::visit_weak_corners(const NearEquilibrium& equilibrium,
                                   const std::function<bool(const Place&)>& visit) const {
   const GraspLaw law(box_, law_);
   const RoundedBox rounded(law);
-  const auto is_lost = [&](const RoundedBox::Place& at) {
-    throw_if_cancelled();
-    const RoundedGrasp grasp = rounded.at(at);
-    const Newton newton(grasp);
-    constexpr std::size_t kStarts = 12;
-    return !newton.follow(equilibrium) && !SmoothNewton(grasp).follow(equilibrium.motion) &&
-           !newton.solve_thoroughly(kStarts);
-  };
-  for (const WeakCorner& corner : weakest_corners(rounded, equilibrium, descents)) {
-    if (!(corner.multiple < 1)) break;
-    if (is_lost(corner.at) && !visit(place_at(rounded, corner.at))) return;
+  constexpr std::size_t kDescents = 32;
+  for (const WeakCorner& corner : weakest_corners(rounded, equilibrium, kDescents)) {
+    if (!(corner.multiple < 1)) return;
+    if (!is_lost(rounded.at(corner.at), equilibrium)) continue;
+    if (!visit(place_at(rounded, corner.at))) return;
   }
+}
+
+void Examples::visit_random_corners(const NearEquilibrium& equilibrium,
+                                    const std::function<bool(const Place&)>& visit) const {
+  const GraspLaw law(box_, law_);
+  const RoundedBox rounded(law);
   RandomCorners corners(rounded);
-  for (std::size_t corner = 0; corner < count; ++corner) {
+  constexpr int kCorners = 64;
+  for (int corner = 0; corner < kCorners; ++corner) {
     const RoundedBox::Place at = corners.next();
-    if (is_lost(at) && !visit(place_at(rounded, at))) return;
+    if (is_lost(rounded.at(at), equilibrium) && !visit(place_at(rounded, at))) return;
   }
 }
 

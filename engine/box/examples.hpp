@@ -37,12 +37,13 @@ class Examples {
   /// Returns corners at which this equilibrium of the middle is lost, soonest first, and after
   /// which part of the way.
   std::vector<std::pair<Place, double>> without(const NearEquilibrium& equilibrium) const;
-  /// Visits corners at which Newton's method finds no equilibrium, neither from this one of the
-  /// middle nor from others, until `visit` returns false: of the weakest corners that so many
-  /// descents find, and of so many drawn at random, with normals turned every way.
-  void visit_lost_corners(const NearEquilibrium& equilibrium, std::size_t descents,
-                          std::size_t count,
+  /// Visits the weakest corners, weakest first, at which Newton's method finds no equilibrium,
+  /// neither from this one of the middle nor from others, until `visit` returns false.
+  void visit_weak_corners(const NearEquilibrium& equilibrium,
                           const std::function<bool(const Place&)>& visit) const;
+  /// Visits such corners among 64 drawn at random, with normals turned every way.
+  void visit_random_corners(const NearEquilibrium& equilibrium,
+                            const std::function<bool(const Place&)>& visit) const;
   /// Returns two places at which all is held better, and worse, as one would think: more
   /// friction and preload under less load, and the reverse. They cost nothing to find.
   std::vector<Place> extremes() const;

@@ -61,7 +61,16 @@ RoundedBox::Place RoundedBox::middle() const {
 }
 
 RoundedBox::Place RoundedBox::farthest(const Eigen::VectorXd& function) const {
-  const Place place = function.cwiseSign();
+  Place place = function.cwiseSign();
+  // A normal in space is turned every way by no more than its slope.
+  for (std::size_t n = 0; n + 1 < numbers_.size(); ++n) {
+    if (numbers_[n].parameter != Parameter::kTurnU ||
+        numbers_[n + 1].parameter != Parameter::kTurnV) {
+      continue;
+    }
+    const auto turns = function.segment<2>(static_cast<Eigen::Index>(n));
+    if (turns.norm() > 0) place.segment<2>(static_cast<Eigen::Index>(n)) = turns.normalized();
+  }
   if (!law_.ball) return place;
   Eigen::VectorXd of_load =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(law_.ball->parts.size()));
@@ -243,19 +252,7 @@ double Xorshift::next() {
 RoundedBox::Place RandomCorners::next() {
   RoundedBox::Place to = box_.middle();
   for (double& entry : to) entry = random_.next();
-  to = box_.farthest(to);
-  const std::vector<ParameterId>& numbers = box_.numbers();
-  for (std::size_t n = 0; n + 1 < numbers.size(); ++n) {
-    if (numbers[n].parameter != Parameter::kTurnU ||
-        numbers[n + 1].parameter != Parameter::kTurnV) {
-      continue;
-    }
-    constexpr double kPi = 3.14159265358979323846;
-    const double angle = kPi * random_.next();
-    to[static_cast<Eigen::Index>(n)] = std::cos(angle);
-    to[static_cast<Eigen::Index>(n) + 1] = std::sin(angle);
-  }
-  return to;
+  return box_.farthest(to);
 }
 
 }  // namespace stickslip

@@ -29,9 +29,13 @@ class SmoothNewton {
   /// that are hardly smooth, and with smoother ones where that fails.
   std::optional<Reals> follow(const Reals& from) const;
 
- private:
+  /// Returns the sum of all wrenches at a motion, with laws that are smooth over so much of it;
+  /// `derivative`, if given, becomes how that changes with the motion.
   Reals force(const Reals& d, double smooth, Eigen::MatrixXd* derivative = nullptr) const;
+  /// Moves d, in so many steps at most, to where that sum is 0; returns false if it is lost.
   bool balance(Reals& d, double smooth, int steps) const;
+
+ private:
   Reals change_with(const Reals& d, double smooth) const;
 
   const RoundedGrasp& grasp_;

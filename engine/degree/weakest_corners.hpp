@@ -19,9 +19,9 @@ struct WeakCorner {
 
 /// Returns corners at which a small multiple of the load is held, the smallest first. The first
 /// descent begins in the middle, whose equilibrium it takes, others at random corners: each
-/// step goes to the corner along the gradient of that multiple, by differences. There is no
-/// result where there is no load, or of more than 128 numbers. A step takes O(numbers)
-/// searches for equilibria.
+/// step goes to the corner along the gradient of that multiple. There is no result where there
+/// is no load, or of more than 256 numbers. A step takes a few searches for equilibria and
+/// O(numbers contacts D).
 std::vector<WeakCorner> weakest_corners(const RoundedBox& box, const NearEquilibrium& middle,
                                         std::size_t descents);
 

@@ -81,11 +81,10 @@ std::optional<Suspect> LostLoads::first_along(const Place& place) const {
 }
 
 std::vector<Suspect> LostLoads::at_random(const Rational& factor) const {
-  constexpr std::size_t kTried = 64;
   constexpr std::size_t kMost = 4;
   const GraspBox box = box_.scaled(centre_, factor);
   std::vector<Suspect> found;
-  Examples(box, law_).visit_lost_corners(at_centre_, 0, kTried, [&](const Place& place) {
+  Examples(box, law_).visit_random_corners(at_centre_, [&](const Place& place) {
     found.push_back({place, factor});
     return found.size() < kMost;
   });

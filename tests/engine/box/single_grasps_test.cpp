@@ -24,6 +24,12 @@ Place random_place(RandomSource& random, const Examples& examples) {
   return place;
 }
 
+/// Returns the square of the slope by which the turned normal is off the other.
+Rational squared_slope(const RationalRow& n, const RationalRow& turned) {
+  const Rational along = dot(n, turned);
+  return dot(turned, turned) * dot(n, n) / (along * along) - 1;
+}
+
 /// The grasps of `one` have their numbers in the intervals of `box`, and normals within slopes.
 void expect_inside(const GraspBox& box, const GraspBox& one) {
   EXPECT_TRUE(one.is_point());
@@ -42,11 +48,8 @@ void expect_inside(const GraspBox& box, const GraspBox& one) {
   for (std::size_t i = 0; i < box.contacts.size(); ++i) {
     const RationalRow& n = box.contacts[i].normal;
     const RationalRow& turned = one.contacts[i].normal;
-    const Rational along = dot(n, turned);
-    const Rational square = dot(n, n);
-    ASSERT_GT(along, 0);
-    const Rational tangent_squared = dot(turned, turned) * square / (along * along) - 1;
-    EXPECT_LE(tangent_squared, box.contacts[i].slope * box.contacts[i].slope);
+    ASSERT_GT(dot(n, turned), 0);
+    EXPECT_LE(squared_slope(n, turned), box.contacts[i].slope * box.contacts[i].slope);
   }
   if (!box.ball) return;
   RationalRow beside;
@@ -107,6 +110,38 @@ TEST(Examples, LieInTheirBox) {
     EXPECT_LE(work(place), most + 1e-4);
     for (const Place& direction : examples.ball_directions()) {
       EXPECT_LE(work(direction), most + 1e-4);
+    }
+  }
+  EXPECT_GE(turned, 20);
+}
+
+// A normal in space that is turned all it may be, or farther, is turned by its slope, whichever
+// way.
+TEST(Examples, NormalsAreTurnedByAllOfTheirSlope) {
+  RandomSource random(332);
+  int turned = 0;
+  for (int round = 0; round < 40; ++round) {
+    const GraspBox box = test::random_law_box(random, true);
+    const Examples examples(box, NormalLaw::kUnilateral);
+    const double angle = random.between(0, 628) / 100.0;
+    const double size = random.between(10, 14) / 10.0;
+    Place place = examples.middle();
+    const auto on_grid = [&](double part) {
+      return rational_from_double(std::round(size * part * 65536) / 65536);
+    };
+    for (std::size_t k = 0; k < place.size(); ++k) {
+      const Parameter parameter = examples.numbers()[k].parameter;
+      if (parameter == Parameter::kTurnU) place[k] = on_grid(std::cos(angle));
+      if (parameter == Parameter::kTurnV) place[k] = on_grid(std::sin(angle));
+    }
+    const GraspBox one = examples.at(place);
+    for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+      if (box.contacts[i].slope.is_zero()) continue;
+      const double slope = to_double(box.contacts[i].slope);
+      const Rational squared = squared_slope(box.contacts[i].normal, one.contacts[i].normal);
+      EXPECT_LE(squared, box.contacts[i].slope * box.contacts[i].slope);
+      EXPECT_GE(std::sqrt(to_double(squared)), slope * (1 - 1e-4));
+      ++turned;
     }
   }
   EXPECT_GE(turned, 20);

@@ -163,9 +163,11 @@ TEST(RoundedBox, ProblemsAreRoundedAsLawsAre) {
   }
 }
 
-// The farthest place has the ends of all numbers; of a ball it has the load that is farthest.
+// The farthest place has the ends of all numbers, and each normal turned by its slope one way;
+// of a ball it has the load that is farthest.
 TEST(RoundedBox, NoPlaceIsFarther) {
   RandomSource random(314);
+  int turned = 0;
   for (int round = 0; round < 60; ++round) {
     GraspBox box = test::random_law_box(random, round % 2 == 1);
     const bool has_ball = round % 4 > 1;
@@ -183,12 +185,14 @@ TEST(RoundedBox, NoPlaceIsFarther) {
     double others = 0;
     double squared = 0;
     for (Eigen::Index k = 0; k < function.size(); ++k) {
-      const bool is_of_ball =
-          has_ball &&
-          rounded.numbers()[static_cast<std::size_t>(k)].parameter == Parameter::kWrench;
-      if (is_of_ball) {
+      const Parameter parameter = rounded.numbers()[static_cast<std::size_t>(k)].parameter;
+      if (has_ball && parameter == Parameter::kWrench) {
         squared += function[k] * function[k];
-      } else {
+      } else if (parameter == Parameter::kTurnU) {
+        others += std::hypot(function[k], function[k + 1]);
+        EXPECT_LE(std::hypot(far[k], far[k + 1]), 1 + kNearly);
+        ++turned;
+      } else if (parameter != Parameter::kTurnV) {
         others += std::fabs(function[k]);
       }
     }
@@ -204,6 +208,7 @@ TEST(RoundedBox, NoPlaceIsFarther) {
     }
     EXPECT_LE(std::sqrt(size), to_double(box.ball->radius) * (1 + 1e-6));
   }
+  EXPECT_GE(turned, 20);
 }
 
 // The ends of forces and loads over a box are those of its corners.

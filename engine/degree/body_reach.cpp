@@ -42,4 +42,19 @@ Rational BodyReach::largest(const RationalRow& row) const {
   return sum;
 }
 
+bool is_within(const ConvexBody& body, const RationalRow& bound) {
+  if (bound.empty()) return true;
+  const BodyReach reach(body);
+  if (!reach.is_sound()) return false;
+  RationalRow axis(bound.size());
+  for (std::size_t j = 0; j < bound.size(); ++j) {
+    for (const int sign : {1, -1}) {
+      axis[j] = sign;
+      if (sign * body.twist[j] + reach.largest(axis) > bound[j]) return false;
+    }
+    axis[j] = 0;
+  }
+  return true;
+}
+
 }  // namespace stickslip::degree_detail

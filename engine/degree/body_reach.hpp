@@ -28,4 +28,8 @@ class BodyReach {
   std::vector<RationalRow> ways_;
 };
 
+/// Returns whether all of the body, up to free motions, is within the bound, by coordinate; an
+/// empty one is none. Rule `degree-bound`, of verdicts.
+bool is_within(const ConvexBody& body, const RationalRow& bound);
+
 }  // namespace stickslip::degree_detail

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
 #include "body_reach.hpp"
-#include "equilibrium_cloud.hpp"
 #include "moving_equilibrium.hpp"
-#include "moving_refuter.hpp"
+#include "prove_by_cloud.hpp"
 #include "prove_stable.hpp"
 #include "stickslip/lp/exact_system.hpp"
 #include "wall_refuter.hpp"
@@ -26,30 +24,10 @@ constexpr std::size_t kFewDimensions = 3;
 /// The largest rank for parallelepipeds: a wall of one has 2^(rank - 1) vertices, one of a
 /// simplex rank.
 constexpr std::size_t kMostOfParallelepipeds = 6;
-/// The same of walls around the cloud of a ball of loads, as of a hand of four joints: they
-/// prove what simplices do not.
-constexpr std::size_t kMostOfClouds = 7;
 /// \{ The most nodes of a tree that is worth a try.
 constexpr std::size_t kFewNodes = 40;
 constexpr std::size_t kSomeNodes = 300;
 /// \}
-
-/// Returns whether all of the body, up to free motions, is within the bound: rule
-/// `degree-bound`, of verdicts.
-bool is_within(const DegreeProof& proof, const RationalRow& bound) {
-  if (bound.empty()) return true;
-  const BodyReach reach(proof);
-  if (!reach.is_sound()) return false;
-  RationalRow axis(bound.size());
-  for (std::size_t j = 0; j < bound.size(); ++j) {
-    for (const int sign : {1, -1}) {
-      axis[j] = sign;
-      if (sign * proof.twist[j] + reach.largest(axis) > bound[j]) return false;
-    }
-    axis[j] = 0;
-  }
-  return true;
-}
 
 /// One proposal of walls, grown until they are refuted.
 struct Attempt {
@@ -58,15 +36,6 @@ struct Attempt {
   std::size_t most_growths;  ///< equilibria that go much farther are lost at a fold
   std::size_t most_nodes;    ///< nothing is tried once there were so many in all
   bool is_simplex = false;
-};
-
-/// The grasps that are to be proved stable.
-struct DegreeSubject {
-  RoundedGrasp grasp;      ///< the grasp in the middle, or the only one
-  ForceSpan span;          ///< the span of all grasps' forces
-  NormalLaw law;           ///< the law of all contacts
-  const GraspLaw* box;     ///< nullptr: one grasp in the plane
-  const GraspLaw* middle;  ///< the law of the grasp in the middle of the box; nullptr as before
 };
 
 class DegreeSearch {
@@ -87,7 +56,6 @@ class DegreeSearch {
  private:
   std::optional<DegreeProof> prove_by_size(const NearEquilibrium& near);
   std::optional<DegreeProof> prove_by_moves(const NearEquilibrium& near);
-  std::optional<DegreeProof> prove_by_cloud(const NearEquilibrium& near);
   std::optional<DegreeProof> prove_in_mode(const NearEquilibrium& near, double size,
                                            std::size_t node_limit);
   std::optional<DegreeProof> prove_smoothly(const NearEquilibrium& near,
@@ -137,7 +105,7 @@ std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& ne
   std::size_t tried = 0;
   for (const Attempt& attempt : attempts) {
     if (tried++ == before_cloud && is_box) {
-      if (auto proof = prove_by_cloud(near)) return proof;
+      if (auto proof = prove_by_cloud(about_, near, work_)) return proof;
     }
     if (attempt.node_limit == 0 || (limit == 0 && attempt.size < kLeastQuick)) break;
     Walls walls(about_.grasp, about_.span, near, attempt.size, about_.box);
@@ -256,95 +224,6 @@ std::optional<DegreeProof> DegreeSearch::prove_by_moves(const NearEquilibrium& n
     walls.enclose(moves);
     auto proof = prove_with(std::move(walls), attempt, {Pull::kFitted, Pull::kStiff});
     if (proof) return proof;
-  }
-  return std::nullopt;
-}
-
-/// Tries walls around a cloud of equilibria of grasps of the box, with leaves whose twists
-/// move. If geometry is uncertain there is room around the cloud, so that what slips there
-/// slips one way; a wall that is not refuted moves to where doubles see a reason at the point
-/// at which it failed. Else the walls are close to a cloud of more places.
-std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& near) {
-  const bool is_verdict = !about_.box->is_family && !about_.box->hull;
-  const auto& contacts = about_.box->contacts;
-  const bool is_close = std::all_of(contacts.begin(), contacts.end(),
-                                    [](const auto& c) { return c.geometry_is_certain(); });
-  const std::size_t most_rank =
-      is_close && about_.box->ball ? kMostOfClouds : kMostOfParallelepipeds;
-  if (!is_verdict || about_.span.rank() > most_rank) return std::nullopt;
-  const std::size_t places = is_close ? 400 : 100;
-  // A proof takes a few hundred, of a hand up to twice as many.
-  const std::size_t most_pieces = about_.span.rank() > kMostOfParallelepipeds ? 2000 : 1000;
-  if (work_.pieces > most_pieces) return std::nullopt;
-  const RoundedBox rounded(*about_.box);
-  const std::vector<Reals> moves = MovingEquilibrium(rounded, near).cloud(places);
-  const CloudCoordinates cloud(about_.grasp, about_.span, near, moves);
-  if (!(cloud.press > 0)) return std::nullopt;
-  MovingRefuter refuter(*about_.box, *about_.middle, work_);
-  const double room_of_extent = is_close ? 1 : 10;
-  constexpr double kLeastRoom = 0.12;
-  const double least = kLeastRoom * cloud.press;
-  Eigen::VectorXd room = (room_of_extent * cloud.extent).cwiseMax(least);
-  // Springs answer as A does near them; far off a fit to the forces on the walls is better.
-  const std::array<Pull, 2> pulls = is_close ? std::array{Pull::kFitted, Pull::kAnswer}
-                                             : std::array{Pull::kAnswer, Pull::kFitted};
-  constexpr int kMostGrowths = 6;
-  std::optional<Walls> walls;
-  for (int growth = 0; growth <= kMostGrowths && work_.pieces <= most_pieces; ++growth) {
-    ++work_.proofs;
-    if (!walls) {
-      const Eigen::MatrixXd answer =
-          Newton(about_.grasp).answer(near.motion, median_of({room.begin(), room.end()}));
-      if (is_close) room.setConstant(least);
-      walls.emplace(about_.grasp, about_.span, near, answer, cloud.rows, room);
-      if (!walls->is_sound()) return std::nullopt;
-      if (is_close) walls->enclose(moves);
-    }
-    DegreeProof proof = walls->proof(Pull::kAnswer, false);
-    if (!has_rank(proof, about_.span.rank()) || !is_within(proof, about_.box->max_motion)) {
-      return std::nullopt;
-    }
-    if (about_.law == NormalLaw::kBilateral && !refuter.all_are_closed(proof)) {
-      return std::nullopt;
-    }
-    const auto first_open = [&](bool second) -> std::optional<std::size_t> {
-      for (std::size_t wall = 0; wall < proof.wall_count(); ++wall) {
-        const std::size_t left = most_pieces > work_.pieces ? most_pieces - work_.pieces : 0;
-        if (!refuter.refute(proof, wall, second, left)) return wall;
-      }
-      return std::nullopt;
-    };
-    std::optional<std::size_t> open = first_open(false);
-    if (!open) {
-      const auto of_list_1 = static_cast<std::ptrdiff_t>(proof.trees.size());
-      for (const Pull pull : pulls) {
-        proof.trees.erase(proof.trees.begin() + of_list_1, proof.trees.end());
-        proof.direction = walls->proof(pull, false).direction;
-        if (!has_rank(proof, about_.span.rank())) continue;
-        open = first_open(true);
-        if (!open) return proof;
-      }
-    }
-    if (!open || refuter.lost_at().size() == 0) return std::nullopt;
-    if (is_close) {
-      walls->grow(*open, false);
-      continue;
-    }
-    double best = 0;
-    double farther = 1;
-    for (const double part : {0.5, 0.7, 1.0, 1.4, 2.0, 2.8}) {
-      const double bound = refuter.bound_at(proof, part * refuter.lost_at()) / part;
-      if (bound < best) {
-        best = bound;
-        farther = part;
-      }
-    }
-    if (!(best < 0)) return std::nullopt;
-    constexpr double kClear = 1e-6;
-    if (best > -kClear) farther = 1.4;
-    if (farther == 1) farther = 1.25;
-    room[static_cast<Eigen::Index>(*open / 2)] *= farther;
-    walls.reset();
   }
   return std::nullopt;
 }

@@ -13,6 +13,10 @@ namespace stickslip {
 /// pivoting. It is not finite, or far off, if a is singular. O(n^3), as all of these.
 Eigen::VectorXd solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
+/// Returns the x with a x = b, for a symmetric matrix with no negative eigenvalue, of which
+/// only the lower triangle is read, by Cholesky's method with pivoting.
+Eigen::VectorXd symmetric_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
 /// Returns the shortest of the x for which |a x - b| is least.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 

@@ -20,15 +20,19 @@ constexpr std::size_t kMostCuts = 8;
 /// chapter 23, with one more equation for the sum of the weights.)
 class LeastSum {
  public:
-  explicit LeastSum(Eigen::Index size) : columns_(size + 1, 64) {}
+  explicit LeastSum(Eigen::Index size) : columns_(size + 1, 64), products_(64, 64) {}
 
   /// Adds a vector that is part of the convex combination, or else of the multiples, and
   /// returns its place.
   std::size_t add(const Eigen::VectorXd& vector, bool is_convex) {
     const auto n = static_cast<Eigen::Index>(norms_.size());
-    if (n == columns_.cols()) columns_.conservativeResize(Eigen::NoChange, 2 * n);
+    if (n == columns_.cols()) {
+      columns_.conservativeResize(Eigen::NoChange, 2 * n);
+      products_.conservativeResize(2 * n, 2 * n);
+    }
     columns_.col(n).head(vector.size()) = vector;
     columns_(vector.size(), n) = is_convex ? kSum : 0;
+    products_.col(n).head(n + 1) = columns_.leftCols(n + 1).transpose() * columns_.col(n);
     norms_.push_back(vector.norm());
     in_use_.push_back(0);
     weights_.push_back(0);
@@ -85,32 +89,35 @@ class LeastSum {
     constexpr int kMostSteps = 200;
     constexpr double kNothing = 1e-12;
     for (int step = 0; step < kMostSteps; ++step) {
-      std::vector<std::size_t> used;
+      std::vector<Eigen::Index> used;
       for (std::size_t k = 0; k < in_use_.size(); ++k) {
-        if (in_use_[k] != 0) used.push_back(k);
+        if (in_use_[k] != 0) used.push_back(static_cast<Eigen::Index>(k));
       }
       if (used.empty()) return;
       const auto count = static_cast<Eigen::Index>(used.size());
-      Eigen::MatrixXd chosen(columns_.rows(), count);
-      for (Eigen::Index a = 0; a < count; ++a) {
-        chosen.col(a) =
-            columns_.col(static_cast<Eigen::Index>(used[static_cast<std::size_t>(a)]));
+      Eigen::MatrixXd gram(count, count);
+      Eigen::VectorXd sums(count);
+      for (Eigen::Index b = 0; b < count; ++b) {
+        const Eigen::Index column = used[static_cast<std::size_t>(b)];
+        for (Eigen::Index a = 0; a <= b; ++a) {
+          gram(b, a) = products_(used[static_cast<std::size_t>(a)], column);
+        }
+        constexpr double kRegular = 1e-13;
+        gram(b, b) += kRegular;
+        sums[b] = kSum * columns_(columns_.rows() - 1, column);
       }
-      Eigen::MatrixXd gram = chosen.transpose() * chosen;
-      constexpr double kRegular = 1e-13;
-      gram.diagonal().array() += kRegular;
-      const Eigen::VectorXd wanted =
-          solution(gram, kSum * chosen.row(columns_.rows() - 1).transpose());
+      const Eigen::VectorXd wanted = symmetric_solution(gram, sums);
       double part = 1;
       bool all = true;
       for (Eigen::Index a = 0; a < count; ++a) {
-        const double now = weights_[used[static_cast<std::size_t>(a)]];
+        const double now =
+            weights_[static_cast<std::size_t>(used[static_cast<std::size_t>(a)])];
         if (wanted[a] > kNothing) continue;
         all = false;
         part = std::min(part, now / (now - wanted[a] + 1e-300));
       }
       for (Eigen::Index a = 0; a < count; ++a) {
-        const std::size_t k = used[static_cast<std::size_t>(a)];
+        const auto k = static_cast<std::size_t>(used[static_cast<std::size_t>(a)]);
         weights_[k] = all ? wanted[a] : weights_[k] + part * (wanted[a] - weights_[k]);
         if (all || weights_[k] > kNothing) continue;
         weights_[k] = 0;
@@ -121,6 +128,8 @@ class LeastSum {
   }
 
   Eigen::MatrixXd columns_;
+  Eigen::MatrixXd
+      products_;  ///< of each column with those before it and itself, above the diagonal
   std::vector<double> norms_;
   std::vector<char> in_use_;
   std::vector<double> weights_;

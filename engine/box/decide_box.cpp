@@ -227,6 +227,7 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& 
   };
   if (is_open()) {
     examples.try_suspects();
+    if (!examples.found() && effort_for(box).quick_nodes == 0) examples.try_lost_corners(prover.middle());
     try_parts();
   }
   if (is_open()) {

@@ -7,6 +7,11 @@
 /// is no number, makes an enclosure of everything.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
 #include "number.hpp"
 
 namespace stickslip_check {
@@ -29,18 +34,72 @@ class Enclosure {
   friend Enclosure operator-(const Enclosure& a, const Enclosure& b) {
     return outwards(a.low_ - b.high_, a.high_ - b.low_);
   }
-  friend Enclosure operator*(const Enclosure& a, const Enclosure& b);
+  friend Enclosure operator*(const Enclosure& a, const Enclosure& b) {
+    const double p = a.low_ * b.low_;
+    const double q = a.low_ * b.high_;
+    const double r = a.high_ * b.low_;
+    const double s = a.high_ * b.high_;
+    // A product of infinity and 0 is no number, which the least and the largest pass over.
+    if (std::isnan(p + q + r + s)) return outwards(-kInfinity, kInfinity);
+    return outwards(std::min(std::min(p, q), std::min(r, s)),
+                    std::max(std::max(p, q), std::max(r, s)));
+  }
+  /// This encloses a sum of products of as many numbers as the shorter one has, n of them. All
+  /// that is rounded is below (n + 2) / 2^53 of the sum of sizes.
+  friend Enclosure product(const std::vector<Enclosure>& a, const std::vector<Enclosure>& b) {
+    double low = 0;
+    double high = 0;
+    double size = 0;
+    double all = 0;  // no number if a product is none
+    const std::size_t n = std::min(a.size(), b.size());
+    for (std::size_t j = 0; j < n; ++j) {
+      const double p = a[j].low_ * b[j].low_;
+      const double q = a[j].low_ * b[j].high_;
+      const double r = a[j].high_ * b[j].low_;
+      const double s = a[j].high_ * b[j].high_;
+      const double least = std::min(std::min(p, q), std::min(r, s));
+      const double most = std::max(std::max(p, q), std::max(r, s));
+      low += least;
+      high += most;
+      size += std::max(std::fabs(least), std::fabs(most));
+      all += p + q + r + s;
+    }
+    if (std::isnan(all) || !(size <= kMost)) return Enclosure(-kInfinity, kInfinity);
+    const double off = static_cast<double>(n) * (size * kRelative + kLeast);
+    return Enclosure(low - off, high + off);
+  }
   /// These enclose the larger and the smaller of two numbers.
-  friend Enclosure larger(const Enclosure& a, const Enclosure& b);
-  friend Enclosure smaller(const Enclosure& a, const Enclosure& b);
-  /// This encloses "the bound" (FORMAT.md §6) of the root of a, which has no number below 0. The
-  /// bound is not below the root, and above it by less than a relative 2^-62.
-  friend Enclosure root_above(const Enclosure& a);
+  friend Enclosure larger(const Enclosure& a, const Enclosure& b) {
+    return Enclosure(std::max(a.low_, b.low_), std::max(a.high_, b.high_));
+  }
+  friend Enclosure smaller(const Enclosure& a, const Enclosure& b) {
+    return Enclosure(std::min(a.low_, b.low_), std::min(a.high_, b.high_));
+  }
+  /// This encloses "the bound" (FORMAT.md §6) of the root of a, which has no number below 0.
+  /// The bound is not below the root, and above it by less than a relative 2^-62.
+  friend Enclosure root_above(const Enclosure& a) {
+    return outwards(std::sqrt(std::max(a.low_, 0.0)), std::sqrt(std::max(a.high_, 0.0)));
+  }
   /// This encloses that of a times the root of a square; a may be below 0.
-  friend Enclosure times_root_above(const Enclosure& a, const Enclosure& square);
+  friend Enclosure times_root_above(const Enclosure& a, const Enclosure& square) {
+    return a * root_above(square);
+  }
 
  private:
-  static Enclosure outwards(double low, double high);
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  static constexpr double kRelative = 0x1p-50;
+  static constexpr double kLeast = 0x1p-1000;
+  static constexpr double kMost = 0x1p1000;
+
+  Enclosure(double low, double high) : low_(low), high_(high) {}
+
+  static Enclosure outwards(double low, double high) {
+    if (std::fabs(low) <= kMost && std::fabs(high) <= kMost) {
+      return Enclosure(low - (std::fabs(low) * kRelative + kLeast),
+                       high + (std::fabs(high) * kRelative + kLeast));
+    }
+    return Enclosure(-kInfinity, kInfinity);
+  }
 
   double low_ = 0;
   double high_ = 0;

@@ -11,8 +11,8 @@
 namespace stickslip_check {
 namespace {
 
-// One text computes with Rational or with Enclosure. An enclosure that has numbers of both signs
-// has no sign.
+// One text computes with Rational or with Enclosure. An enclosure that has numbers of both
+// signs has no sign.
 
 Rational larger(const Rational& a, const Rational& b) {
   return std::max(a, b);
@@ -46,8 +46,7 @@ bool may_be_above(const Enclosure& a) {
 
 /// Counts so many operations with it.
 void count(const Rational& a, std::uint64_t operations) {
-  const std::uint64_t words =
-      mpz_size(a.get_num_mpz_t()) + mpz_size(a.get_den_mpz_t());
+  const std::uint64_t words = mpz_size(a.get_num_mpz_t()) + mpz_size(a.get_den_mpz_t());
   spend(kStepsOfRational * operations);
   spend(4 * operations, words, words);  // numerators, denominators and what they have in common
 }
@@ -86,12 +85,18 @@ std::vector<Number> multiple(const Rational& factor, const Form& form) {
 }
 
 /// The sum of products of as many numbers as the shorter one has.
-template <typename Number>
-Number product(const std::vector<Number>& a, const std::vector<Number>& b) {
-  Number sum;
+Rational product(const Vector& a, const Vector& b) {
+  Rational sum;
   const std::size_t size = std::min(a.size(), b.size());
-  for (std::size_t j = 0; j < size; ++j) sum = sum + a[j] * b[j];
-  count(sum, size);
+  for (std::size_t j = 0; j < size; ++j) sum += a[j] * b[j];
+  return sum;
+}
+
+/// That, and counts it.
+template <typename Number>
+Number counted_product(const std::vector<Number>& a, const std::vector<Number>& b) {
+  const Number sum = product(a, b);
+  count(sum, std::min(a.size(), b.size()));
   return sum;
 }
 
@@ -204,10 +209,10 @@ typename PairBound<Number>::Corner PairBound<Number>::corner_of(const Row& row, 
                                                                 bool rubs) const {
   Corner corner;
   corner.normal = multiple<Number>(row.scale, row.normals[c]);
-  corner.work = product(corner.normal, y_);
+  corner.work = counted_product(corner.normal, y_);
   for (std::size_t j = 0; rubs && j < row.slips[c].size(); ++j) {
     corner.slip.push_back(multiple<Number>(row.scale, row.slips[c][j]));
-    corner.motion.push_back(product(corner.slip.back(), y_));
+    corner.motion.push_back(counted_product(corner.slip.back(), y_));
   }
   return corner;
 }
@@ -234,15 +239,17 @@ Number PairBound<Number>::most_friction(const Friction& friction, const Corner& 
   std::vector<Number> slip;
   std::vector<Number> left;     // S y(r) - kappa s
   std::vector<Number> squares;  // of these
+  for (auto* numbers : {&slip, &left, &squares}) numbers->reserve(corner.slip.size());
   for (std::size_t j = 0; j < corner.slip.size(); ++j) {
-    slip.push_back(product(corner.slip[j], ray.x));
+    slip.push_back(counted_product(corner.slip[j], ray.x));
     left.push_back(friction.own * slip[j] + ray.h * corner.motion[j]);
     squares.push_back(left[j] * left[j]);
   }
-  const Number length = root_above(friction.square * product(friction.weights, squares));
+  const Number length =
+      root_above(friction.square * counted_product(friction.weights, squares));
   Number work = friction.stretch * length;
   if (!friction.psi.empty()) {
-    work = work + times_root_above(product(friction.psi, slip), friction.square);
+    work = work + times_root_above(counted_product(friction.psi, slip), friction.square);
   }
   count(work, 20);
   return larger(friction.low * work, friction.high * work);
@@ -263,7 +270,7 @@ std::vector<typename PairBound<Number>::Work> PairBound<Number>::work_of(
     const Corner corner = corner_of(row, c, rubs);
     for (std::size_t r = 0; r < rays_.size(); ++r) {
       const Ray& ray = rays_[r];
-      const Number height = product(corner.normal, ray.x);
+      const Number height = counted_product(corner.normal, ray.x);
       Number most = c_ * height + ray.h * corner.work;
       if (rubs) most = most + most_friction(friction, corner, ray);
       // Until all corners are seen, what v_i loses by them.

@@ -61,6 +61,37 @@ TEST(Enclosure, HoldsExactResults) {
   EXPECT_GT(tight, 10000U);
 }
 
+// Sums of products hold what they are exactly, also where nearly all of it cancels.
+TEST(Enclosure, HoldsSumsOfProducts) {
+  std::mt19937_64 random(62);
+  std::size_t tight = 0;
+  for (int k = 0; k < 5000; ++k) {
+    const int most = k % 3 == 0 ? 3000 : k % 3 == 1 ? 200 : 8;
+    std::vector<Enclosure> a;
+    std::vector<Enclosure> b;
+    Rational sum = 0;
+    Rational size = 0;
+    const std::size_t count = random() % 7;
+    for (std::size_t j = 0; j < count; ++j) {
+      const Rational x = some(random, most);
+      const bool cancels = j + 1 == count && x != 0 && random() % 2 == 0;
+      const Rational y = cancels ? Rational(-sum / x) : some(random, most);
+      a.emplace_back(x);
+      b.emplace_back(y);
+      sum += x * y;
+      size += abs(x * y);
+    }
+    b.emplace_back(Rational(5));  // beyond the shorter one
+    const Enclosure found = product(a, b);
+    ASSERT_TRUE(holds(found, sum)) << sum;
+    if (found.high() - found.low() <= 1e-13 * size.get_d()) ++tight;
+  }
+  EXPECT_GT(tight, 3000U);
+  const Enclosure all(Rational(Integer(1) << 5000));
+  EXPECT_TRUE(std::isinf(product(std::vector{all, Enclosure()}, std::vector{Enclosure(), Enclosure()}).high()));
+  EXPECT_EQ(product(std::vector<Enclosure>{}, std::vector<Enclosure>{}).high(), 0);
+}
+
 TEST(Enclosure, OfZeroIsZero) {
   EXPECT_EQ(Enclosure().low(), 0);
   EXPECT_EQ(Enclosure(Rational(0)).high(), 0);

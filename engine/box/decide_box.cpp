@@ -41,7 +41,6 @@ class ExampleSearch {
   /// lost soonest, where all holds better or worse, and at the ends of single numbers.
   void try_suspects() {
     try_at(examples_.at(examples_.middle()));
-    if (stable_) try_without_equilibrium();
     for (const Place& place : examples_.extremes()) try_at(examples_.at(place));
     if (found() || stable_.has_value() == unstable_.has_value()) return;
     for (const Place& place : examples_.single_ends(effort_.single_ends)) {
@@ -77,17 +76,6 @@ class ExampleSearch {
   }
 
  private:
-  void try_without_equilibrium() {
-    const std::vector<NearEquilibrium> middles =
-        equilibria_in_doubles(GraspLaw(box_, law_).middle(), needs_enclosure(box_));
-    if (middles.empty()) return;
-    constexpr std::size_t kMostLost = 8;
-    std::size_t tried = 0;
-    for (const auto& [place, part] : examples_.without(middles.front())) {
-      if (tried++ < kMostLost) try_at(examples_.at(place));
-    }
-  }
-
   const GraspBox& box_;
   NormalLaw law_;
   const SearchOptions& options_;
@@ -227,7 +215,8 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& 
   };
   if (is_open()) {
     examples.try_suspects();
-    if (!examples.found() && effort_for(box).quick_nodes == 0) examples.try_lost_corners(prover.middle());
+    if (!examples.found() && effort_for(box).quick_nodes == 0)
+      examples.try_lost_corners(prover.middle());
     try_parts();
   }
   if (is_open()) {

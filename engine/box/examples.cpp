@@ -271,18 +271,6 @@ GraspBox Examples::between(const RationalRow& parts) const {
   return chosen;
 }
 
-std::vector<std::pair<Place, double>> Examples::without(
-    const NearEquilibrium& equilibrium) const {
-  const GraspLaw law(box_, law_);
-  const RoundedBox rounded(law);
-  const MovingEquilibrium moving(rounded, equilibrium);
-  std::vector<std::pair<Place, double>> result;
-  for (const LostWay& way : moving.ways_out()) {
-    result.emplace_back(place_at(rounded, way.to), way.part);
-  }
-  return result;
-}
-
 Place Examples::place_at(const RoundedBox& rounded, const RoundedBox::Place& at) const {
   Place place = middle();
   for (std::size_t n = 0; n < numbers_.size(); ++n) {

@@ -34,9 +34,6 @@ class Examples {
   /// Returns the one grasp at these parts of the way from low to high, from 0 to 1, of each
   /// parameter of GraspLaw.
   GraspBox between(const RationalRow& parts) const;
-  /// Returns corners at which this equilibrium of the middle is lost, soonest first, and after
-  /// which part of the way.
-  std::vector<std::pair<Place, double>> without(const NearEquilibrium& equilibrium) const;
   /// Visits the weakest corners, weakest first, at which Newton's method finds no equilibrium,
   /// neither from this one of the middle nor from others, until `visit` returns false.
   void visit_weak_corners(const NearEquilibrium& equilibrium,

@@ -59,43 +59,6 @@ EquilibriumPath MovingEquilibrium::follow(const Place& to) const {
   return path;
 }
 
-std::vector<LostWay> MovingEquilibrium::ways_out() const {
-  std::vector<LostWay> lost;
-  std::vector<Place> tried;
-  Place place = box_.middle();
-  NearEquilibrium here = start_;
-  double least = 2;
-  const auto look_along = [&](const Eigen::MatrixXd& moving, const Reals& out) {
-    const Place to = box_.farthest(moving.transpose() * out);
-    if (std::find(tried.begin(), tried.end(), to) != tried.end()) return false;
-    tried.push_back(to);
-    EquilibriumPath path = follow(to);
-    if (path.part == 1) return false;
-    lost.push_back({to, path.part});
-    if (!(path.part < least) || path.equilibria.empty()) return false;
-    least = path.part;
-    place = box_.middle() + path.part * (to - box_.middle());
-    here = std::move(path.equilibria.back());
-    return true;
-  };
-  constexpr int kRounds = 4;
-  for (int round = 0; round < kRounds; ++round) {
-    const Eigen::MatrixXd moving = moves(place, here);
-    bool better = false;
-    for (const RoundedContact& c : box_.at(place).contacts) {
-      std::vector<Reals> ways{c.normal};
-      for (const auto& row : c.slip.rowwise()) ways.emplace_back(row.transpose());
-      for (const Reals& way : ways) {
-        for (const int sign : {1, -1}) better = look_along(moving, sign * way) || better;
-      }
-    }
-    if (!better) break;
-  }
-  std::sort(lost.begin(), lost.end(),
-            [](const LostWay& a, const LostWay& b) { return a.part < b.part; });
-  return lost;
-}
-
 /// Lets friction that sticks yield a very little to a larger share of what there may be. That
 /// moves nothing, but tells which way it will slip.
 Eigen::MatrixXd MovingEquilibrium::moves(const Place& place,

@@ -16,12 +16,6 @@ struct EquilibriumPath {
   double part = 0;  ///< the part of the way that was reached before it was lost; 1: all
 };
 
-/// A way from the middle on which the equilibrium is lost.
-struct LostWay {
-  RoundedBox::Place to;  ///< a corner of the box
-  double part;           ///< the part of it that is reached; below 1
-};
-
 /// An equilibrium of the grasp in the middle of a box.
 class MovingEquilibrium {
  public:
@@ -35,10 +29,6 @@ class MovingEquilibrium {
 
   /// Follows the equilibrium from the middle to this place.
   EquilibriumPath follow(const Place& to) const;
-  /// Returns corners towards which the equilibrium is lost, soonest first. They are those that
-  /// move it most along the normal or a tangent of some contact, from the middle or from where
-  /// it was lost soonest before.
-  std::vector<LostWay> ways_out() const;
   /// Returns how far half an interval of each number moves an equilibrium at a place, to first
   /// order: a column for each number. O(numbers D^2).
   Eigen::MatrixXd moves(const Place& place, const NearEquilibrium& here) const;

@@ -190,12 +190,12 @@ class RadiusSearch {
   /// Seeks counterexamples: suspects near the centre, and then those at the edge of the box
   /// that these give.
   void refute() {
-    if (*result_.stable) follow();
+    if (*result_.stable) try_weak_corners();
     if (box_.ball) {
       if (*result_.stable) refute_ball();
       return;
     }
-    if (result_.refuted) return;
+    if (result_.refuted) return flip_ends();
     suspect(std::min(Rational(1, 8), result_.limit));
     if (result_.refuted) {
       suspect(*result_.refuted);
@@ -225,8 +225,9 @@ class RadiusSearch {
     }
   }
 
-  /// Follows an equilibrium of the centre to where it is lost.
-  void follow() {
+  /// Tries the weakest corners of the smallest box, about, that has corners at which an
+  /// equilibrium of the centre is lost.
+  void try_weak_corners() {
     const std::vector<NearEquilibrium> here =
         equilibria_in_doubles(GraspLaw(centre_, law_).middle(), needs_enclosure(centre_));
     if (here.empty()) return;
@@ -234,13 +235,15 @@ class RadiusSearch {
     for (;;) {
       size = std::min(Rational(4 * size), bound());
       const GraspBox box = box_.scaled(centre_, size);
-      const auto lost = Examples(box, law_).without(here.front());
-      std::size_t tried = 0;
-      for (const auto& [place, part] : lost) {
+      std::vector<Place> lost;
+      Examples(box, law_).visit_weak_corners(here.front(), [&](const Place& place) {
         constexpr std::size_t kMostTried = 4;
-        if (tried++ == kMostTried) break;
-        const Rational near = size * rational_from_double(std::min(1.0, part + 1.0 / 64));
-        if (!(near < bound()) || (lost_ && !lost_->has_none({place, near}))) continue;
+        lost.push_back(place);
+        return lost.size() < kMostTried;
+      });
+      for (const Place& place : lost) {
+        const Rational near = std::min(size, Rational(bound() * (1 - options_.accuracy / 4)));
+        if (lost_ && !lost_->has_none({place, near})) continue;
         if (differs(place, near)) close_in(place, 0, near);
       }
       if (size == bound() || !lost.empty()) return;

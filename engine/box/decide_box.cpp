@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "box_prover.hpp"
@@ -37,8 +36,8 @@ class ExampleSearch {
     if (stable) (*stable ? stable_ : unstable_) = grasp;
   }
 
-  /// Tries the middle, and where the other verdict is likely: where the middle's equilibrium is
-  /// lost soonest, where all holds better or worse, and at the ends of single numbers.
+  /// Tries the middle, and where the other verdict is likely: where all holds better or worse,
+  /// and at the ends of single numbers.
   void try_suspects() {
     try_at(examples_.at(examples_.middle()));
     for (const Place& place : examples_.extremes()) try_at(examples_.at(place));
@@ -188,7 +187,8 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& 
   SearchWork work;
   ExampleSearch examples(box, law, options, work);
   const GraspLaw box_law(box, law, options.bits);
-  if (effort_for(box).quick_nodes > 0) {
+  const bool is_quick_first = effort_for(box).quick_nodes > 0;
+  if (is_quick_first) {
     // Proofs that take long are sought only where no counterexample lies at hand.
     BoxDecision quick{Undecided{}};
     quick.bits = options.bits;
@@ -215,8 +215,7 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& 
   };
   if (is_open()) {
     examples.try_suspects();
-    if (!examples.found() && effort_for(box).quick_nodes == 0)
-      examples.try_lost_corners(prover.middle());
+    if (!examples.found() && !is_quick_first) examples.try_lost_corners(prover.middle());
     try_parts();
   }
   if (is_open()) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/degree/moving_equilibrium.hpp"
+#include "engine/degree/newton.hpp"
 #include "engine/degree/smooth_newton.hpp"
 #include "engine/degree/weakest_corners.hpp"
 #include "stickslip/core/cancellation.hpp"

@@ -23,7 +23,7 @@ constexpr std::size_t kMostRank = 6;
 constexpr std::size_t kMostRankOfBalls = 7;
 /// \}
 
-/// One search.
+/// The search for walls around one cloud, and for their trees.
 class CloudSearch {
  public:
   CloudSearch(const DegreeSubject& about, const NearEquilibrium& near, bool is_close,

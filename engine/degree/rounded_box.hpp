@@ -69,7 +69,7 @@ class RoundedBox {
   /// the ball's centre.
   Place middle() const;
   /// Returns the place at which a linear function of places is largest, or for a part of a ball
-  /// large.
+  /// large. Normals in space are turned there by their slopes, each one way.
   Place farthest(const Eigen::VectorXd& function) const;
   /// Returns the grasp at a place. O(contacts).
   RoundedGrasp at(const Place& place) const;
@@ -101,8 +101,7 @@ class Xorshift {
   std::uint64_t state_ = 88172645463325252ULL;
 };
 
-/// Pseudo-random corners of a box, of a ball loads on its border; normals in space are turned
-/// every way by all that they may be.
+/// Pseudo-random corners of a box, the farthest places along functions drawn at random.
 class RandomCorners {
  public:
   /// The box must outlive this.

@@ -47,8 +47,8 @@ class Descent {
   /// Returns the largest multiple of the load that is held at a place.
   double multiple_at(const RoundedBox::Place& place) const {
     const auto settle = [](const RoundedGrasp& loaded, Reals& motion) {
-      constexpr double kFirst =
-          0.05;  // the others that follow() tries cost more than they tell
+      // The others that follow() tries cost more than they tell.
+      constexpr double kFirst = 0.05;
       auto found = SmoothNewton(loaded).settle(motion, kFirst);
       if (found) motion = std::move(*found);
       return found.has_value();
@@ -84,7 +84,7 @@ class Descent {
       high[n] = std::min(place[n] + kStep, 1.0);
       falls[n] = work_at(high) - work_at(low);
     }
-    return box_.farthest(falls);
+    return falls.allFinite() ? box_.farthest(falls) : place;
   }
 
  private:

@@ -13,13 +13,15 @@ from browser import FIG1, STICKSLIP, STICKSLIP_CHECK, Keys, PageTest, cube, deci
 
 class Live(PageTest):
     def serve(self, grasp, limit=0.25):
-        """Verdicts take milliseconds; what takes longer than the limit, as maps do, is given up."""
+        """Verdicts take milliseconds; what takes longer than the limit, as maps do, is given up. Answers draw handles anew: the
+        page rests before a test takes one."""
         server = subprocess.Popen([STICKSLIP, "serve", grasp, "--time-limit", str(limit)], stdout=subprocess.PIPE, text=True)
         self.addCleanup(server.stdout.close)
         self.addCleanup(server.wait)
         self.addCleanup(server.terminate)
         address = re.match(r"(http://127\.0\.0\.1:\d+/)", server.stdout.readline()).group(1)
         self.go(address)
+        self.rest()
         return address
 
     def rest(self):

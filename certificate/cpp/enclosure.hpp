@@ -35,14 +35,8 @@ class Enclosure {
     return outwards(a.low_ - b.high_, a.high_ - b.low_);
   }
   friend Enclosure operator*(const Enclosure& a, const Enclosure& b) {
-    const double p = a.low_ * b.low_;
-    const double q = a.low_ * b.high_;
-    const double r = a.high_ * b.low_;
-    const double s = a.high_ * b.high_;
-    // A product of infinity and 0 is no number, which the least and the largest pass over.
-    if (std::isnan(p + q + r + s)) return outwards(-kInfinity, kInfinity);
-    return outwards(std::min(std::min(p, q), std::min(r, s)),
-                    std::max(std::max(p, q), std::max(r, s)));
+    const Products of(a, b);
+    return std::isnan(of.sum) ? everything() : outwards(of.least, of.most);
   }
   /// This encloses a sum of products of as many numbers as the shorter one has, n of them. All
   /// that is rounded is below (n + 2) / 2^53 of the sum of sizes.
@@ -50,21 +44,16 @@ class Enclosure {
     double low = 0;
     double high = 0;
     double size = 0;
-    double all = 0;  // no number if a product is none
+    double sum = 0;
     const std::size_t n = std::min(a.size(), b.size());
     for (std::size_t j = 0; j < n; ++j) {
-      const double p = a[j].low_ * b[j].low_;
-      const double q = a[j].low_ * b[j].high_;
-      const double r = a[j].high_ * b[j].low_;
-      const double s = a[j].high_ * b[j].high_;
-      const double least = std::min(std::min(p, q), std::min(r, s));
-      const double most = std::max(std::max(p, q), std::max(r, s));
-      low += least;
-      high += most;
-      size += std::max(std::fabs(least), std::fabs(most));
-      all += p + q + r + s;
+      const Products of(a[j], b[j]);
+      low += of.least;
+      high += of.most;
+      size += std::max(std::fabs(of.least), std::fabs(of.most));
+      sum += of.sum;
     }
-    if (std::isnan(all) || !(size <= kMost)) return Enclosure(-kInfinity, kInfinity);
+    if (std::isnan(sum) || !(size <= kMost)) return everything();
     const double off = static_cast<double>(n) * (size * kRelative + kLeast);
     return Enclosure(low - off, high + off);
   }
@@ -86,19 +75,39 @@ class Enclosure {
   }
 
  private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   static constexpr double kRelative = 0x1p-50;
   static constexpr double kLeast = 0x1p-1000;
   static constexpr double kMost = 0x1p1000;
 
   Enclosure(double low, double high) : low_(low), high_(high) {}
 
+  /// The products of the ends of two, as doubles round them.
+  struct Products {
+    Products(const Enclosure& a, const Enclosure& b) {
+      const double p = a.low_ * b.low_;
+      const double q = a.low_ * b.high_;
+      const double r = a.high_ * b.low_;
+      const double s = a.high_ * b.high_;
+      least = std::min(std::min(p, q), std::min(r, s));
+      most = std::max(std::max(p, q), std::max(r, s));
+      sum = p + q + r + s;
+    }
+    double least;
+    double most;
+    double sum;  ///< no number if one of infinity and 0 is none, which the others pass over
+  };
+
+  static Enclosure everything() {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return Enclosure(-kInfinity, kInfinity);
+  }
+
   static Enclosure outwards(double low, double high) {
     if (std::fabs(low) <= kMost && std::fabs(high) <= kMost) {
       return Enclosure(low - (std::fabs(low) * kRelative + kLeast),
                        high + (std::fabs(high) * kRelative + kLeast));
     }
-    return Enclosure(-kInfinity, kInfinity);
+    return everything();
   }
 
   double low_ = 0;

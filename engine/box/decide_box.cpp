@@ -51,8 +51,10 @@ class ExampleSearch {
   /// middle: this, if it is known.
   void try_lost_corners(std::optional<NearEquilibrium> near) {
     constexpr std::size_t kStarts = 12;
-    const RoundedGrasp middle = rounded_middle(GraspLaw(box_, law_).middle());
-    if (!near) near = Newton(middle).solve_thoroughly(kStarts);
+    if (!near) {
+      const RoundedGrasp middle = rounded_middle(GraspLaw(box_, law_).middle());
+      near = Newton(middle).solve_thoroughly(kStarts);
+    }
     if (!near) return;
     constexpr int kMost = 8;
     int tried = 0;

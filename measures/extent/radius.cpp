@@ -217,7 +217,7 @@ class RadiusSearch {
       for (std::size_t n = 0; n < example_place_.size(); ++n) {
         Place place = example_place_;
         place[n] = place[n].sign() > 0 ? -1 : 1;
-        const Rational near = bound() * (1 - options_.accuracy / 4);
+        const Rational near = below_bound();
         if (!differs(place, near)) continue;
         close_in(place, 0, near);
         found = true;
@@ -242,7 +242,7 @@ class RadiusSearch {
         return lost.size() < kMostTried;
       });
       for (const Place& place : lost) {
-        const Rational near = std::min(size, Rational(bound() * (1 - options_.accuracy / 4)));
+        const Rational near = std::min(size, below_bound());
         if (lost_ && !lost_->has_none({place, near})) continue;
         if (differs(place, near)) close_in(place, 0, near);
       }
@@ -259,7 +259,7 @@ class RadiusSearch {
       Place place;
       for (std::size_t n = 0; n < numbers; ++n)
         place.push_back((corner >> n & 1) == 0 ? -1 : 1);
-      const Rational near = bound() * (1 - options_.accuracy / 4);
+      const Rational near = below_bound();
       if (differs(place, near)) close_in(place, 0, near);
     }
   }
@@ -303,7 +303,7 @@ class RadiusSearch {
     decide_suspects(std::move(suspects), 3);
     if (!result_.refuted) {
       lost_->look_longer();
-      Rational farthest = bound() * (1 - options_.accuracy / 4);
+      Rational farthest = below_bound();
       constexpr int kMostSizes = 3;
       for (int size = 0; size < kMostSizes && !result_.refuted; ++size) {
         decide_suspects(lost_->at_random(farthest), 1);
@@ -315,7 +315,7 @@ class RadiusSearch {
       const Rational before = *result_.refuted;
       std::size_t held = 0;
       for (const Place& place : along_normals()) {
-        Suspect suspect{place, bound() * (1 - options_.accuracy / 4)};
+        Suspect suspect{place, below_bound()};
         if (!lost_->contains(suspect)) continue;
         lost_->draw_in(suspect);
         if (confirm(suspect, bound())) {
@@ -406,7 +406,7 @@ class RadiusSearch {
         found = false;
         for (const Place& place :
              Examples(box_, law_).turned(example_place_, Rational(1, steps))) {
-          const Rational near = bound() * (1 - options_.accuracy / 4);
+          const Rational near = below_bound();
           if (!differs(place, near)) continue;
           close_in(place, 0, near);
           found = is_nearer = true;
@@ -424,7 +424,7 @@ class RadiusSearch {
     for (int round = 0; round < kMostRounds && result_.example; ++round) {
       const Rational before = *result_.refuted;
       for (const Place& place : along_normals()) {
-        const Rational near = bound() * (1 - options_.accuracy / 4);
+        const Rational near = below_bound();
         if (differs(place, near)) close_in(place, 0, near);
       }
       if (*result_.refuted == before) return;
@@ -486,6 +486,9 @@ class RadiusSearch {
 
   /// Returns the factor from which on no factor is of interest.
   Rational bound() const { return result_.refuted ? *result_.refuted : result_.limit; }
+
+  /// Returns a factor below that by so much that a counterexample there is worth having.
+  Rational below_bound() const { return bound() * (1 - options_.accuracy / 4); }
 
   /// Returns whether what is proved is far from what is refuted.
   bool is_much_open() const { return 3 * result_.proved < 2 * bound(); }

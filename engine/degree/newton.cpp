@@ -318,9 +318,15 @@ NearEquilibrium Newton::at(const Reals& d, double smooth) const {
 
 std::optional<NearEquilibrium> Newton::solve_smoothly(const Reals& start) const {
   constexpr double kFirst = 8;
-  const auto motion = SmoothNewton(grasp_).settle(start, kFirst);
+  return sharpened(SmoothNewton(grasp_).settle(start, kFirst));
+}
+
+/// Returns the equilibrium near that of smooth laws, if there is one. Friction that sticks with
+/// all but a thousandth of what there may be slips thirty times as far as the laws are smooth.
+std::optional<NearEquilibrium> Newton::sharpened(const std::optional<Reals>& motion) const {
   if (!motion) return std::nullopt;
-  NearEquilibrium found = at(*motion, SmoothNewton::kLeast * grasp_.reach);
+  constexpr double kSticks = 30 * SmoothNewton::kLeast;
+  NearEquilibrium found = at(*motion, kSticks * grasp_.reach);
   auto polished = polish(found);
   return polished ? std::move(polished) : std::move(found);
 }
@@ -517,6 +523,9 @@ std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts, std::size_t 
   };
   const NearEquilibrium rest = at_rest();
   if (auto polished = polish(rest)) add(std::move(*polished));
+  if (starts > 0 && result.size() < enough) {
+    if (auto near = sharpened(SmoothNewton(grasp_).follow(rest.motion))) add(std::move(*near));
+  }
   Starts motions(grasp_);
   for (std::size_t k = 0; k < starts && result.size() < enough; ++k) {
     auto found = solve(motions.next());

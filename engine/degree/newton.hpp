@@ -58,9 +58,10 @@ class Newton {
   /// or in others; nothing if it was lost.
   std::optional<NearEquilibrium> follow(const NearEquilibrium& near) const;
   /// Returns the different equilibria that are found from rest with all closed contacts
-  /// sticking, and by solve() from `starts` motions: rest, then fixed pseudo-random ones. If
-  /// there are none, and no preloads, searches once more with all contacts pressed at first.
-  /// The modes of some are not certain. Ends once there are `enough`.
+  /// sticking; if `starts` is not 0, from rest with smooth laws, which mostly finds the one
+  /// nearest to rest; and by solve() from `starts` motions: rest, then fixed pseudo-random
+  /// ones. If there are none, and no preloads, searches once more with all contacts pressed at
+  /// first. The modes of some are not certain. Ends once there are `enough`.
   std::vector<NearEquilibrium> solve_from(std::size_t starts,
                                           std::size_t enough = SIZE_MAX) const;
   /// Returns the first equilibrium that is found by solve_from() and then by solve_smoothly()
@@ -72,6 +73,7 @@ class Newton {
 
  private:
   NearEquilibrium at_rest() const;
+  std::optional<NearEquilibrium> sharpened(const std::optional<Reals>& motion) const;
   NearEquilibrium at(const Reals& d, double smooth) const;
   double pressing(const RoundedContact& contact) const;
   std::optional<NearEquilibrium> change_modes(NearEquilibrium near) const;

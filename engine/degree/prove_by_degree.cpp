@@ -80,12 +80,17 @@ std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& ne
   const std::size_t growths = limits_.is_wide ? 12 : 0;
   const std::size_t most = limits_.most_nodes;
   std::optional<std::vector<Reals>> moves;
-  std::vector<Attempt> attempts{
-      {3e-2, kFewNodes, 0, most},   {3e-3, kFewNodes, 0, most},
-      {3e-4, kFewNodes, 0, most},   {3e-5, kFewNodes, 0, most},
-      {3e-2, limit, growths, most}, {1e-3, limit, growths, most},
-      {3e-1, limit, growths, most}, {3e-2, limit, growths, most, true}};
-  if (about_.span.rank() > kMostOfParallelepipeds) {
+  const bool is_high = about_.span.rank() > kMostOfParallelepipeds;
+  const auto quick = [&](double size) { return Attempt{size, kFewNodes, 0, most}; };
+  const auto thorough = [&](double size) { return Attempt{size, limit, growths, most}; };
+  std::vector<Attempt> attempts =
+      limits_.is_wide || is_high
+          ? std::vector{quick(3e-2), quick(3e-3), quick(3e-4), quick(3e-5), thorough(3e-2)}
+          // The walls around one grasp may be closer, and are seldom to be very close.
+          : std::vector{quick(3e-3), quick(3e-2), quick(3e-4), thorough(3e-2), quick(3e-5)};
+  attempts.insert(attempts.end(),
+                  {thorough(1e-3), thorough(3e-1), Attempt{3e-2, limit, growths, most, true}});
+  if (is_high) {
     attempts.pop_back();
     if (!limits_.is_wide) {
       // The walls of a simplex go far in some directions: many take a hundred nodes.

@@ -599,7 +599,7 @@ class Margins(Space):
                 self.assertEqual(verdict, "stable" if multiple < F(end) else "unstable", (seed, multiple))
 
     def test_where_nothing_is_known_the_exit_code_says_so(self):
-        contacts, wrench = round_grasp(np.random.default_rng(602), 6)
+        contacts, wrench = round_grasp(np.random.default_rng(624), 6)
         file = self.write("g.json", written(contacts, wrench))
         code, out, _ = stickslip("margin", file, "--node-limit", "1",
                                  "--direction", ",".join(str(w) for w in wrench))

@@ -68,6 +68,10 @@ std::optional<BoxProver::Verdict> BoxProver::prove() {
 
 std::optional<BoxProver::Verdict> BoxProver::prove_in_parts(std::size_t most_parts) {
   limits_.most_parts = most_parts;
+  if (far_middle_ && prove_near(whole_, whole_.middle(), *far_middle_)) {
+    stable_ = true;
+    return verdict();
+  }
   if (!prove_halves(whole_, middle_)) return std::nullopt;
   return verdict();
 }
@@ -179,7 +183,11 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     LawSearch search(middle, nullptr, limits_.node_limit, work_);
     search.on_candidate([&](const NearEquilibrium& relaxed) {
       const auto found = newton.polish(relaxed);
-      if (found) try_near(*found);
+      if (found && limits_.examples_next && box_detail::may_be_within(box, *found)) {
+        near_middle = far_middle_ = *found;
+      } else if (found) {
+        try_near(*found);
+      }
       return found.has_value();
     });
     search.refute(MotionRegion::root(middle), unused);

@@ -28,6 +28,9 @@ struct ProverLimits {
   std::size_t most_parts;  ///< the most cuts
   bool is_wide;            ///< the user gave intervals; the box is not just rounding of lengths
   bool rest_first;         ///< equilibria near rest are tried before others are sought
+  /// Counterexamples are sought between prove() and prove_in_parts(). Proofs around an
+  /// equilibrium that Newton's method misses, as it is far away, take long and wait for that.
+  bool examples_next;
   bool is_default;  ///< nobody asked for more: far motions get a part of what near ones took
 };
 
@@ -44,7 +47,8 @@ class BoxProver {
 
   /// Returns the verdict, or nothing if there is no proof.
   std::optional<Verdict> prove();
-  /// Goes on where prove() failed: cuts the box, at most so many times.
+  /// Goes on where prove() failed: tries what waits, and then cuts the box, at most so many
+  /// times.
   std::optional<Verdict> prove_in_parts(std::size_t most_parts);
   /// Returns an equilibrium of the middle, in doubles, if prove() found one.
   const std::optional<NearEquilibrium>& middle() const { return middle_; }
@@ -75,6 +79,7 @@ class BoxProver {
   SearchWork& work_;
   std::size_t last_node_;  ///< the count of nodes at which all work ends
   bool is_exact_ = false;
+  std::optional<NearEquilibrium> far_middle_;  ///< one of the middle whose proof waits
   std::array<std::optional<RationalRow>, 2> suspects_;
   std::optional<bool> stable_;  ///< whether the first part was proved stable
   std::optional<ShareWitness> witness_;

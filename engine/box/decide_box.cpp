@@ -203,7 +203,9 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& 
   }
   BoxDecision decision{Undecided{}};
   decision.bits = options.bits;
-  BoxProver prover(box_law, limits_of(box, options), decision.work);
+  ProverLimits limits = limits_of(box, options);
+  limits.examples_next = true;
+  BoxProver prover(box_law, limits, decision.work);
   settle(decision, prover.prove(), prover, box);
   // Neither examples nor parts say more where only far motions are left.
   const auto is_open = [&] {

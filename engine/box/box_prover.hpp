@@ -28,10 +28,10 @@ struct ProverLimits {
   std::size_t most_parts;  ///< the most cuts
   bool is_wide;            ///< the user gave intervals; the box is not just rounding of lengths
   bool rest_first;         ///< equilibria near rest are tried before others are sought
+  bool is_default;  ///< nobody asked for more: far motions get a part of what near ones took
   /// Counterexamples are sought between prove() and prove_in_parts(). Proofs around an
   /// equilibrium that Newton's method misses, as it is far away, take long and wait for that.
-  bool examples_next;
-  bool is_default;  ///< nobody asked for more: far motions get a part of what near ones took
+  bool examples_next = false;
 };
 
 /// Proofs about a box and its parts, until one fails or two parts seem to differ.

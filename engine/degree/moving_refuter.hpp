@@ -2,7 +2,9 @@
 /// \file
 /// Refutes the walls of a parallelepiped of motions by virtual twists that move with the point
 /// (certificate/FORMAT.md, section 4). That is for boxes: a wall far from all equilibria of a
-/// box is refuted in few pieces, where twists that do not move need very many.
+/// box is refuted in few pieces, where twists that do not move need very many. Where geometry
+/// is certain, as of single grasps and in margins, contacts can be split, and twists that do
+/// not move take less time and space.
 #pragma once
 
 #include "engine/motion/tree_walk.hpp"

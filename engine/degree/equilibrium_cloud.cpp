@@ -29,7 +29,12 @@ CloudCoordinates::CloudCoordinates(const RoundedGrasp& middle, const ForceSpan& 
     if (c.is_spring || a > 0) springs += c.stiffness * c.normal * c.normal.transpose();
     if (c.is_spring || !(a > 0)) continue;
     presses.push_back(a / (c.stiffness * c.size));
-    if (near.sticks[i] == 0 || !(c.slope > 0)) continue;
+    if (!(c.slope > 0)) continue;
+    // What slips by little sticks, or slips another way, in other grasps.
+    constexpr double kLittle = 0.3;  // of how far it is pressed in
+    const bool may_stick =
+        near.sticks[i] != 0 || (c.slip * near.motion).norm() < kLittle * presses.back();
+    if (!may_stick) continue;
     for (const auto& row : c.slip.rowwise()) slips.emplace_back(std::sqrt(c.slope * a) * row);
   }
   press = median_of(presses);

@@ -16,8 +16,8 @@ namespace stickslip::degree_detail {
 double median_of(std::vector<double> values);
 
 /// Coordinates of motions around an equilibrium: first along the slips of the contacts that
-/// stick, which all friction that is left is against; then across forces. Within each of the
-/// two they are the principal axes of the cloud.
+/// stick or slip little, which friction is against; then across forces. Within each of the two
+/// they are the principal axes of the cloud.
 struct CloudCoordinates {
   Eigen::MatrixXd rows;    ///< the coordinates, as functions of motions, by rows
   Eigen::VectorXd extent;  ///< how far the cloud reaches, by coordinate

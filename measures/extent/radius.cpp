@@ -533,8 +533,10 @@ class RadiusSearch {
       }
     }
     constexpr int kMostSteps = 10;
+    const Rational fine = std::min(options_.accuracy, Rational(1, 50));
     for (int step = 0; step < kMostSteps; ++step) {
-      if (high - result_.proved <= options_.accuracy * high) return;
+      const Rational& enough = is_much_open() ? fine : options_.accuracy;
+      if (high - result_.proved <= enough * high) return;
       const Rational middle = between(result_.proved, high);
       if (!try_to_prove(middle, parts)) high = middle;
     }

@@ -184,16 +184,17 @@ class Quality(Case):
         self.assertLess(F(answer["refuted"]), F(3, 2) * F(answer["proved"]))
 
     def test_pads_that_press_unequally_are_held_where_they_come_to_rest(self):
-        # They lie loose far away as well, where no ball of loads is held.
-        pads = [((F(-19, 20), F(-1, 20), F(-3, 10)), (20, 2, -1), F(4, 5), F(6, 5), F(11, 10)),
-                ((F(9, 10), F(-7, 10), F(7, 10)), (-20, 1, -2), F(17, 20), F(29, 20), F(21, 20)),
-                ((F(-11, 10), F(3, 5), F(1, 2)), (20, -2, -1), F(2, 5), F(17, 10), F(19, 20)),
-                ((F(21, 20), F(-1, 2), F(1, 10)), (-20, 1, -1), F(11, 20), 2, F(9, 10))]
+        # They lie loose far away as well, where no ball of loads is held. Where they rest most contacts slip a little, which
+        # the other loads turn round.
+        pads = [((F(-19, 20), F(-1, 5), F(1, 20)), (20, 1, -1), F(7, 10), F(11, 20), F(4, 5)),
+                ((F(11, 10), F(-7, 10), F(-1, 5)), (-20, 2, -1), F(7, 10), F(29, 20), F(19, 20)),
+                ((F(-19, 20), F(-4, 5), F(3, 5)), (20, 1, 1), F(7, 10), F(6, 5), F(11, 10)),
+                ((1, F(3, 5), F(4, 5)), (-20, 1, -1), F(7, 10), F(39, 20), F(23, 20))]
         file = self.write("g.json", grasp([contact(p, n, friction=mu, stiffness=k, preload=preload)
                                            for p, n, mu, k, preload in pads], [0] * 6))
         self.assertLess(max(abs(F(x)) for x in self.json("decide", file)["near"]), F(1, 20))
-        answer = self.quality(file, "--length", 1, "--at-most", "1/50")
-        self.assertEqual(F(answer["proved"]), F(1, 50))
+        answer = self.quality(file, "--length", 1, "--at-most", "1/2")
+        self.assertEqual(F(answer["proved"]), F(1, 2))
 
     def test_loads_of_a_proved_ball_are_resisted(self):
         rng = random.Random(7)

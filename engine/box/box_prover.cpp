@@ -183,12 +183,13 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     LawSearch search(middle, nullptr, limits_.node_limit, work_);
     search.on_candidate([&](const NearEquilibrium& relaxed) {
       const auto found = newton.polish(relaxed);
-      if (found && limits_.examples_next && box_detail::may_be_within(box, *found)) {
+      if (!found) return false;
+      if (limits_.examples_next && box_detail::may_be_within(box, *found) && !is_far(*found)) {
         near_middle = far_middle_ = *found;
-      } else if (found) {
+      } else {
         try_near(*found);
       }
-      return found.has_value();
+      return true;
     });
     search.refute(MotionRegion::root(middle), unused);
     if (holds) {

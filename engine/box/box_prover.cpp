@@ -68,6 +68,7 @@ std::optional<BoxProver::Verdict> BoxProver::prove() {
 
 std::optional<BoxProver::Verdict> BoxProver::prove_in_parts(std::size_t most_parts) {
   limits_.most_parts = most_parts;
+  limits_.examples_next = false;  // nothing waits any more
   if (far_middle_ && prove_near(whole_, whole_.middle(), *far_middle_)) {
     stable_ = true;
     return verdict();
@@ -136,7 +137,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     return limits_.is_wide && box.max_motion.empty() &&
            box_detail::is_beyond(box, near, box.far_motion);
   };
-  const auto try_near = [&](const NearEquilibrium& near) {
+  const auto try_near = [&](const NearEquilibrium& near, bool waits = false) {
     constexpr double kSame = 1e-6;
     for (const Reals& motion : tried) {
       if ((motion - near.motion).norm() <= kSame * near.motion.norm()) return false;
@@ -144,6 +145,10 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     tried.push_back(near.motion);
     if (!box_detail::may_be_within(box, near)) return false;
     if (!near_middle && !is_far(near)) near_middle = near;
+    if (waits && near_middle) {
+      far_middle_ = near;
+      return false;
+    }
     return holds = prove_near(box, middle, near);
   };
   if (stable_ != true) {
@@ -183,13 +188,8 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     LawSearch search(middle, nullptr, limits_.node_limit, work_);
     search.on_candidate([&](const NearEquilibrium& relaxed) {
       const auto found = newton.polish(relaxed);
-      if (!found) return false;
-      if (limits_.examples_next && box_detail::may_be_within(box, *found) && !is_far(*found)) {
-        near_middle = far_middle_ = *found;
-      } else {
-        try_near(*found);
-      }
-      return true;
+      if (found) try_near(*found, limits_.examples_next);
+      return found.has_value();
     });
     search.refute(MotionRegion::root(middle), unused);
     if (holds) {

@@ -30,7 +30,7 @@ CloudCoordinates::CloudCoordinates(const RoundedGrasp& middle, const ForceSpan& 
     if (c.is_spring || !(a > 0)) continue;
     presses.push_back(a / (c.stiffness * c.size));
     if (!(c.slope > 0)) continue;
-    // What slips by little sticks, or slips another way, in other grasps.
+    // A contact that slips little here may stick in other grasps, or slip another way.
     constexpr double kLittle = 0.3;  // of how far it is pressed in
     const bool may_stick =
         near.sticks[i] != 0 || (c.slip * near.motion).norm() < kLittle * presses.back();

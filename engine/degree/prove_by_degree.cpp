@@ -88,10 +88,10 @@ std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& ne
           ? std::vector{quick(3e-2), quick(3e-3), quick(3e-4), quick(3e-5), thorough(3e-2)}
           // The walls around one grasp may be closer, and are seldom to be very close.
           : std::vector{quick(3e-3), quick(3e-2), quick(3e-4), thorough(3e-2), quick(3e-5)};
-  attempts.insert(attempts.end(),
-                  {thorough(1e-3), thorough(3e-1), Attempt{3e-2, limit, growths, most, true}});
-  if (is_high) {
-    attempts.pop_back();
+  attempts.insert(attempts.end(), {thorough(1e-3), thorough(3e-1)});
+  if (!is_high) {
+    attempts.push_back({3e-2, limit, growths, most, true});
+  } else {
     if (!limits_.is_wide) {
       // The walls of a simplex go far in some directions: many take a hundred nodes.
       attempts.insert(attempts.begin() + 4,

@@ -12,10 +12,12 @@ namespace stickslip {
 
 /// The limits of a search for a radius.
 struct RadiusOptions {
-  SearchOptions box;          ///< the options of each proof
-  Rational accuracy{1, 100};  ///< stops when the two radii differ by this part of the larger
-  Rational most{64};          ///< no factor beyond this is tried
-  bool only_stable = false;   ///< nothing is sought about a centre that is unstable
+  SearchOptions box;  ///< the options of each proof
+  /// The search stops when the two radii differ by this part of the larger one; while they
+  /// differ by more than a third, proofs are sought to a part of 1/50 at least.
+  Rational accuracy{1, 100};
+  Rational most{64};         ///< no factor beyond this is tried
+  bool only_stable = false;  ///< nothing is sought about a centre that is unstable
 };
 
 /// Counterexamples are sought down to factors of about this size. If there are some, the centre
